@@ -1,0 +1,3 @@
+//! The `lexican` command.
+
+fn main() {}

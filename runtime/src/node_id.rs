@@ -1,0 +1,28 @@
+//! The node-ID.
+
+/// A node's number on its network, 1 to 127 (CiA 301, 4.5.1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct NodeId(u8);
+
+impl NodeId {
+    /// The node-ID `value`; `None` outside 1 to 127.
+    #[must_use]
+    pub const fn new(value: u8) -> Option<Self> {
+        match value {
+            1..=127 => Some(Self(value)),
+            _ => None,
+        }
+    }
+
+    /// The number, 1 to 127.
+    #[must_use]
+    pub const fn get(self) -> u8 {
+        self.0
+    }
+
+    /// The value of the EDS formula `$NODEID + base` in an UNSIGNED32 (CiA 306-1, 4.6.2).
+    #[must_use]
+    pub const fn plus_u32(self, base: u32) -> u32 {
+        base.wrapping_add(self.0 as u32)
+    }
+}

@@ -1,0 +1,58 @@
+//! The data types of CiA 301, by their index in the object dictionary.
+
+/// A static data type, its number being its index in the dictionary (CiA 301, table 44), `0x01..=0x1B`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DataType(pub u8);
+
+impl DataType {
+    /// 0001h, one byte on the bus, 0 or 1.
+    pub const BOOLEAN: Self = Self(0x01);
+    /// 0002h
+    pub const INTEGER8: Self = Self(0x02);
+    /// 0003h
+    pub const INTEGER16: Self = Self(0x03);
+    /// 0004h
+    pub const INTEGER32: Self = Self(0x04);
+    /// 0005h
+    pub const UNSIGNED8: Self = Self(0x05);
+    /// 0006h
+    pub const UNSIGNED16: Self = Self(0x06);
+    /// 0007h
+    pub const UNSIGNED32: Self = Self(0x07);
+    /// 0008h, IEEE 754 single precision.
+    pub const REAL32: Self = Self(0x08);
+    /// 0009h
+    pub const VISIBLE_STRING: Self = Self(0x09);
+    /// 000Ah
+    pub const OCTET_STRING: Self = Self(0x0A);
+    /// 000Bh, UTF-16 code units, little-endian.
+    pub const UNICODE_STRING: Self = Self(0x0B);
+    /// 000Ch, 6 bytes: milliseconds after midnight (28 bits), days since 1984-01-01 (16 bits).
+    pub const TIME_OF_DAY: Self = Self(0x0C);
+    /// 000Dh, 6 bytes: milliseconds (28 bits), days (16 bits).
+    pub const TIME_DIFFERENCE: Self = Self(0x0D);
+    /// 000Fh
+    pub const DOMAIN: Self = Self(0x0F);
+    /// 0010h, 3 bytes on the bus, an `i32` in the dictionary.
+    pub const INTEGER24: Self = Self(0x10);
+    /// 0011h, IEEE 754 double precision.
+    pub const REAL64: Self = Self(0x11);
+    /// 0012h, 5 bytes on the bus, an `i64` in the dictionary.
+    pub const INTEGER40: Self = Self(0x12);
+    /// 0013h
+    pub const INTEGER48: Self = Self(0x13);
+    /// 0014h
+    pub const INTEGER56: Self = Self(0x14);
+    /// 0015h
+    pub const INTEGER64: Self = Self(0x15);
+    /// 0016h, 3 bytes on the bus, a `u32` in the dictionary.
+    pub const UNSIGNED24: Self = Self(0x16);
+    /// 0018h, 5 bytes on the bus, a `u64` in the dictionary.
+    pub const UNSIGNED40: Self = Self(0x18);
+    /// 0019h
+    pub const UNSIGNED48: Self = Self(0x19);
+    /// 001Ah
+    pub const UNSIGNED56: Self = Self(0x1A);
+    /// 001Bh
+    pub const UNSIGNED64: Self = Self(0x1B);
+}

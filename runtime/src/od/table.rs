@@ -1,0 +1,75 @@
+//! The table of entries, found by a perfect hash: the same few instructions for ten objects and for ten thousand.
+
+use super::{Entry, Extra};
+use crate::Address;
+
+/// A dictionary's description, all of it in flash.
+#[derive(Clone, Copy, Debug)]
+pub struct Table {
+    /// The entries, placed by [`place`].
+    pub entries: &'static [Entry],
+    /// One seed a bucket; the generator chose them so that no two entries meet.
+    pub seeds: &'static [u16],
+    /// Strings and limits.
+    pub extras: &'static [Extra],
+    /// Values of const objects, and limits.
+    pub constants: &'static [u8],
+}
+
+/// First mixing step of the hash: spreads `index << 8 | sub` over 32 bits, one to one.
+#[must_use]
+pub const fn lookup_key(address: Address) -> u32 {
+    address.key().wrapping_mul(0x9E37_79B1)
+}
+
+/// `hash` scaled to `0..length`.
+const fn scale(hash: u32, length: usize) -> usize {
+    ((hash as u64 * length as u64) >> 32) as usize
+}
+
+/// The bucket whose seed places `key`.
+const fn bucket(key: u32, seeds: usize) -> usize {
+    scale(key, seeds)
+}
+
+/// The place of `key` among `entries` places, given its bucket's seed.
+const fn slot(key: u32, seed: u16, entries: usize) -> usize {
+    scale((key ^ seed as u32).wrapping_mul(0x85EB_CA6B), entries)
+}
+
+/// Lays `sorted` out for [`Table::find`], at compile time.
+///
+/// # Panics
+/// At compile time only, when `seeds` were not made for these entries.
+#[must_use]
+pub const fn place<const N: usize, const PLACES: usize>(sorted: &[Entry; N], seeds: &[u16]) -> [Entry; PLACES] {
+    let mut placed = [Entry::EMPTY; PLACES];
+    let mut i = 0;
+    while i < N {
+        let entry = sorted[i];
+        let key = lookup_key(Address::new(entry.index, entry.sub));
+        let at = slot(key, seeds[bucket(key, seeds.len())], PLACES);
+        assert!(placed[at].index == 0, "these seeds were made for other entries");
+        placed[at] = entry;
+        i += 1;
+    }
+    placed
+}
+
+impl Table {
+    /// The entry at `address`, if the dictionary has one.
+    #[inline]
+    #[must_use]
+    pub fn find(&self, address: Address) -> Option<&'static Entry> {
+        let key = lookup_key(address);
+        let seed = *self.seeds.get(bucket(key, self.seeds.len()))?;
+        let entry = self.entries.get(slot(key, seed, self.entries.len()))?;
+        (entry.index == address.index && entry.sub == address.sub).then_some(entry)
+    }
+
+    /// Whether any sub-index of `index` exists. Slow: walks the table; only a refused access asks.
+    #[must_use]
+    pub fn has_object(&self, index: u16) -> bool {
+        self.entries.iter().any(|entry| entry.index == index)
+    }
+}
