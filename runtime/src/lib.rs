@@ -22,4 +22,4 @@ pub use abort::AbortCode;
 pub use address::Address;
 pub use bytemuck;
 pub use node_id::NodeId;
-pub use od::Device;
+pub use od::{Device, Reset};

@@ -20,9 +20,27 @@ impl NodeId {
         self.0
     }
 
-    /// The value of the EDS formula `$NODEID + base` in an UNSIGNED32 (CiA 306-1, 4.6.2).
+    /// The value of the EDS formula `$NODEID + base` in an UNSIGNED8 (CiA 306-1, 4.6.2); the sum wraps.
+    #[must_use]
+    pub const fn plus_u8(self, base: u8) -> u8 {
+        base.wrapping_add(self.0)
+    }
+
+    /// The value of the EDS formula `$NODEID + base` in an UNSIGNED16.
+    #[must_use]
+    pub const fn plus_u16(self, base: u16) -> u16 {
+        base.wrapping_add(self.0 as u16)
+    }
+
+    /// The value of the EDS formula `$NODEID + base` in an UNSIGNED32.
     #[must_use]
     pub const fn plus_u32(self, base: u32) -> u32 {
         base.wrapping_add(self.0 as u32)
+    }
+
+    /// The value of the EDS formula `$NODEID + base` in an UNSIGNED64.
+    #[must_use]
+    pub const fn plus_u64(self, base: u64) -> u64 {
+        base.wrapping_add(self.0 as u64)
     }
 }

@@ -56,3 +56,57 @@ impl DataType {
     /// 001Bh
     pub const UNSIGNED64: Self = Self(0x1B);
 }
+
+/// Bytes on the bus of each type by its number; 0 for strings, domains and numbers without a type.
+const LENGTHS: [u8; 32] = [
+    0, 1, 1, 2, 4, 1, 2, 4, 4, 0, 0, 0, 6, 6, 0, 0, // up to 000Fh
+    3, 8, 5, 6, 7, 8, 3, 0, 5, 6, 7, 8, 0, 0, 0, 0, // up to 001Fh
+];
+
+impl DataType {
+    /// Bytes that a value has on the bus, 1 to 8; 0 for a type without a fixed length (strings, DOMAIN).
+    #[inline]
+    #[must_use]
+    pub const fn length(self) -> usize {
+        LENGTHS[(self.0 & 0x1F) as usize] as usize
+    }
+
+    /// Bytes that a value takes in the dictionary's struct: 24 bits widened to 4 bytes, 40 to 56 bits to 8; else
+    /// [`DataType::length`].
+    #[inline]
+    #[must_use]
+    pub const fn width(self) -> usize {
+        match self {
+            Self::INTEGER24 | Self::UNSIGNED24 => 4,
+            Self::INTEGER40
+            | Self::INTEGER48
+            | Self::INTEGER56
+            | Self::UNSIGNED40
+            | Self::UNSIGNED48
+            | Self::UNSIGNED56 => 8,
+            _ => self.length(),
+        }
+    }
+
+    /// Whether it is INTEGER8 to INTEGER64.
+    #[must_use]
+    pub const fn is_signed(self) -> bool {
+        matches!(
+            self,
+            Self::INTEGER8
+                | Self::INTEGER16
+                | Self::INTEGER24
+                | Self::INTEGER32
+                | Self::INTEGER40
+                | Self::INTEGER48
+                | Self::INTEGER56
+                | Self::INTEGER64
+        )
+    }
+
+    /// Whether it is REAL32 or REAL64.
+    #[must_use]
+    pub const fn is_real(self) -> bool {
+        matches!(self, Self::REAL32 | Self::REAL64)
+    }
+}

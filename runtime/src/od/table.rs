@@ -3,17 +3,18 @@
 use super::{Entry, Extra};
 use crate::Address;
 
-/// A dictionary's description, all of it in flash.
+/// A dictionary's description. Generated ones stand in flash; a simulated one may own its parts.
 #[derive(Clone, Copy, Debug)]
-pub struct Table {
+pub struct Table<'a> {
     /// The entries, placed by [`place`].
-    pub entries: &'static [Entry],
+    pub entries: &'a [Entry],
     /// One seed a bucket; the generator chose them so that no two entries meet.
-    pub seeds: &'static [u16],
+    pub seeds: &'a [u16],
     /// Strings and limits.
-    pub extras: &'static [Extra],
-    /// Values of const objects, and limits.
-    pub constants: &'static [u8],
+    pub extras: &'a [Extra],
+    /// Values of const objects, and limits. Numbers are little-endian and as wide as in the struct
+    /// ([`DataType::width`](super::DataType::width)), at any offset; strings are their bytes.
+    pub constants: &'a [u8],
 }
 
 /// First mixing step of the hash: spreads `index << 8 | sub` over 32 bits, one to one.
@@ -47,29 +48,41 @@ pub const fn place<const N: usize, const PLACES: usize>(sorted: &[Entry; N], see
     let mut i = 0;
     while i < N {
         let entry = sorted[i];
-        let key = lookup_key(Address::new(entry.index, entry.sub));
-        let at = slot(key, seeds[bucket(key, seeds.len())], PLACES);
-        assert!(placed[at].index == 0, "these seeds were made for other entries");
+        let at = place_of(Address::new(entry.index, entry.sub), seeds, PLACES);
+        assert!(placed[at].data_type.0 == 0, "these seeds were made for other entries");
         placed[at] = entry;
         i += 1;
     }
     placed
 }
 
-impl Table {
+/// The place of `address` in a table with these seeds and so many places.
+///
+/// A generator that looks for seeds asks this for every entry of a bucket, until it knows a seed with which all of them
+/// fall on free places.
+#[must_use]
+pub const fn place_of(address: Address, seeds: &[u16], places: usize) -> usize {
+    let key = lookup_key(address);
+    slot(key, seeds[bucket(key, seeds.len())], places)
+}
+
+impl Table<'_> {
     /// The entry at `address`, if the dictionary has one.
     #[inline]
     #[must_use]
-    pub fn find(&self, address: Address) -> Option<&'static Entry> {
+    pub fn find(&self, address: Address) -> Option<Entry> {
         let key = lookup_key(address);
         let seed = *self.seeds.get(bucket(key, self.seeds.len()))?;
-        let entry = self.entries.get(slot(key, seed, self.entries.len()))?;
-        (entry.index == address.index && entry.sub == address.sub).then_some(entry)
+        let entry = *self.entries.get(slot(key, seed, self.entries.len()))?;
+        // An empty place has the address 0000h:00, which a client may ask for.
+        (entry.index == address.index && entry.sub == address.sub && entry.data_type.0 != 0).then_some(entry)
     }
 
     /// Whether any sub-index of `index` exists. Slow: walks the table; only a refused access asks.
     #[must_use]
     pub fn has_object(&self, index: u16) -> bool {
-        self.entries.iter().any(|entry| entry.index == index)
+        self.entries
+            .iter()
+            .any(|entry| entry.index == index && entry.data_type.0 != 0)
     }
 }

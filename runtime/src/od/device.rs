@@ -1,0 +1,61 @@
+//! What the services need of a device.
+
+use super::{Table, Value};
+use crate::{AbortCode, Address};
+
+/// A device: the dictionary that was generated for it, and the application behind it.
+///
+/// Implemented by generated code; an application implements the generated `Handlers` trait instead. The methods that
+/// give a dictionary's parts are to be `#[inline]`: then what is constant in flash is constant to the services too, and
+/// a service whose objects do not exist is compiled to nothing.
+pub trait Device {
+    /// Room for the longest string among the values, `[u8; N]`: an SDO transfer is collected in it, so that a string is
+    /// never stored or sent half old, half new.
+    type Buffer: AsRef<[u8]> + AsMut<[u8]>;
+
+    /// The dictionary's entries.
+    fn table(&self) -> Table<'_>;
+
+    /// The bytes of the values.
+    fn values(&self) -> &[u8];
+
+    /// The bytes of the values, to write.
+    fn values_mut(&mut self) -> &mut [u8];
+
+    /// The bytes of the values after power-on, laid out as [`Device::values`], with 0 for `$NODEID`.
+    fn defaults(&self) -> &[u8];
+
+    /// An empty buffer.
+    fn buffer(&self) -> Self::Buffer;
+
+    /// Asks the application to bring the value at `address` up to date in [`Device::values_mut`] before it is read.
+    ///
+    /// Called only for entries with [`Access::READ_HANDLER`](super::Access::READ_HANDLER).
+    ///
+    /// # Errors
+    /// The abort code that the client is to be answered with.
+    fn before_read(&mut self, address: Address) -> Result<(), AbortCode>;
+
+    /// Offers the application the value that is about to be stored at `address`, its length and limits checked.
+    ///
+    /// Called only for entries with [`Access::WRITE_HANDLER`](super::Access::WRITE_HANDLER).
+    ///
+    /// # Errors
+    /// The abort code that the client is to be answered with; then nothing is stored.
+    fn before_write(&mut self, address: Address, value: Value<'_>) -> Result<(), AbortCode>;
+
+    /// Tells the application that the node was reset: values that a client may write have their values after power-on
+    /// again. Does nothing unless overridden.
+    fn after_reset(&mut self, reset: Reset) {
+        let _ = reset;
+    }
+}
+
+/// How much an NMT command resets (CiA 301, 7.3.2.2.1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reset {
+    /// Reset node: the whole dictionary.
+    Node,
+    /// Reset communication: 1000h to 1FFFh.
+    Communication,
+}
