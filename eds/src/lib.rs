@@ -5,5 +5,8 @@
 //! Each stage has one verb and never fails: what it cannot make sense of becomes a problem with a position,
 //! and the rules turn problems into diagnostics.
 
+pub mod document;
+mod ini;
 pub mod ir;
+pub mod source;
 pub mod span;

@@ -1,5 +1,7 @@
 //! Where in a file something stands.
 
+use std::ops::Range;
+
 /// A range of bytes in a source file, within one line.
 ///
 /// The source turns it into line and column.
@@ -16,6 +18,17 @@ impl Span {
     #[must_use]
     pub const fn new(start: u32, end: u32) -> Self {
         Self { start, end }
+    }
+
+    /// The bytes `range`. A source has at most 1 GiB, so the offsets fit; beyond 4 GiB they saturate.
+    pub(crate) fn of(range: Range<usize>) -> Self {
+        let offset = |at| u32::try_from(at).unwrap_or(u32::MAX);
+        Self::new(offset(range.start), offset(range.end))
+    }
+
+    /// The same bytes as an index of text.
+    pub(crate) const fn range(self) -> Range<usize> {
+        self.start as usize..self.end as usize
     }
 }
 

@@ -1,0 +1,120 @@
+//! A file as text: bytes decoded, lines counted.
+//!
+//! [`Source::decode`] never fails. Every line of the text goes back to exactly the bytes that it came from
+//! ([`Source::to_bytes`]), because each encoding in use maps bytes and characters one to one.
+
+mod encoding;
+mod lines;
+
+pub use encoding::Encoding;
+pub use lines::LineColumn;
+
+use crate::span::Span;
+use encoding::Legacy;
+use lines::Lines;
+
+/// A file: its name, its text, and where its lines start.
+#[derive(Clone, Debug, Default)]
+pub struct Source {
+    name: String,
+    text: String,
+    lines: Lines,
+    legacy: Legacy,
+    byte_order_mark: bool,
+}
+
+impl Source {
+    /// Decodes a file line by line: UTF-8 where a line is that, else Windows-1252 or CP850, whichever is
+    /// [likelier](Encoding::guess).
+    ///
+    /// `name` is what diagnostics call the file; it is not opened. A file of more than 1 GiB is not decoded: its text is
+    /// empty, and [`Source::to_bytes`] gives no bytes.
+    #[must_use]
+    pub fn decode(name: impl Into<String>, bytes: Vec<u8>) -> Self {
+        let (byte_order_mark, bytes) = strip_byte_order_mark(bytes);
+        let (text, legacy) = encoding::decode(bytes);
+        Self {
+            name: name.into(),
+            lines: Lines::of(&text),
+            text,
+            legacy,
+            byte_order_mark,
+        }
+    }
+
+    /// What diagnostics call the file.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The decoded text, without the byte order mark.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The text of `span`; empty when it is not of this file.
+    #[must_use]
+    pub fn slice(&self, span: Span) -> &str {
+        self.text.get(span.range()).unwrap_or_default()
+    }
+
+    /// Line and column where `span` starts.
+    #[must_use]
+    pub fn line_column(&self, span: Span) -> LineColumn {
+        self.lines.line_column(&self.text, span.start)
+    }
+
+    /// The text of a line without its line end; empty when there is no such line. Lines count from 1.
+    #[must_use]
+    pub fn line_text(&self, line: u32) -> &str {
+        self.slice(self.line_span(line))
+    }
+
+    /// Where the text of a line stands, without its line end. Lines count from 1.
+    #[must_use]
+    pub fn line_span(&self, line: u32) -> Span {
+        self.lines.span(&self.text, line)
+    }
+
+    /// How many lines the file has. A line end at the very end starts no further line.
+    #[must_use]
+    pub fn line_count(&self) -> u32 {
+        self.lines.count()
+    }
+
+    /// The encoding that a line was read in. Plain ASCII counts as UTF-8. Lines count from 1.
+    #[must_use]
+    pub fn encoding(&self, line: u32) -> Encoding {
+        self.legacy.of_line(line)
+    }
+
+    /// Whether the file starts with the UTF-8 byte order mark.
+    #[must_use]
+    pub fn byte_order_mark(&self) -> bool {
+        self.byte_order_mark
+    }
+
+    /// The bytes of the file, as [`Source::decode`] got them.
+    #[must_use]
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let mut bytes = Vec::with_capacity(self.text.len() + 3);
+        if self.byte_order_mark {
+            bytes.extend(BYTE_ORDER_MARK);
+        }
+        bytes.extend(self.text.as_bytes());
+        bytes
+    }
+}
+
+/// U+FEFF in UTF-8.
+const BYTE_ORDER_MARK: [u8; 3] = [0xEF, 0xBB, 0xBF];
+
+fn strip_byte_order_mark(mut bytes: Vec<u8>) -> (bool, Vec<u8>) {
+    let marked = bytes.starts_with(&BYTE_ORDER_MARK);
+    if marked {
+        bytes.drain(..BYTE_ORDER_MARK.len());
+    }
+    (marked, bytes)
+}
