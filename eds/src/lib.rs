@@ -8,5 +8,6 @@
 pub mod document;
 mod ini;
 pub mod ir;
+pub mod literal;
 pub mod source;
 pub mod span;
