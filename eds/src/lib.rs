@@ -5,9 +5,29 @@
 //! Each stage has one verb and never fails: what it cannot make sense of becomes a problem with a position,
 //! and the rules turn problems into diagnostics.
 
+pub mod diagnostic;
 pub mod document;
 mod ini;
 pub mod ir;
 pub mod literal;
+pub mod render;
+pub mod rules;
 pub mod source;
 pub mod span;
+
+use document::Document;
+use source::Source;
+
+/// A file, read from one end to the other.
+#[derive(Clone, Debug, Default)]
+pub struct Reading {
+    /// Its lines, sections and keywords.
+    pub document: Document,
+}
+
+/// Reads a file; `name` is what diagnostics call it.
+#[must_use]
+pub fn read(name: impl Into<String>, bytes: Vec<u8>) -> Reading {
+    let document = Document::read(Source::decode(name, bytes));
+    Reading { document }
+}

@@ -1,0 +1,59 @@
+//! The rules' documentation as users read it, in Markdown.
+
+use std::fmt::Write as _;
+
+use super::{Family, Rule, all, families};
+
+/// One rule's page: what `lexican explain CODE` prints.
+#[must_use]
+pub fn page(rule: &Rule) -> String {
+    let (code, name, level, since) = (rule.code(), rule.name(), rule.level(), rule.since());
+    format!(
+        "# {code}: {name}\n\nLevel: {level}. Since {since}.\n\n{}",
+        rule.documentation()
+    )
+}
+
+/// All rules: `docs/rules.md`.
+#[must_use]
+pub fn manual() -> String {
+    let mut text = INTRODUCTION.to_owned();
+    for family in families() {
+        text.push_str(&table(family));
+    }
+    for rule in all() {
+        let _ = write!(text, "\n{}", below(&page(rule)));
+    }
+    text
+}
+
+const INTRODUCTION: &str = "\
+# The rules of `lexican check`
+
+<!-- Made by `lexican explain --all`: change the rules' doc comments in eds/src/rules, not this file. -->
+
+A *deny* means that a master or a generator will go wrong, a *warn* that the standard is broken, a *note* is a matter of
+style. `--level CODE=allow|note|warn|deny` changes that for a rule, or with its letters for a family.
+";
+
+fn table(family: &Family) -> String {
+    let mut text = format!("\n## {}: {}\n\n", family.letters, family.title);
+    text.push_str("| code | allow … | level | what it does |\n|---|---|---|---|\n");
+    for rule in all().iter().filter(|rule| rule.code().family() == family.letters) {
+        let (code, name, level, summary) = (rule.code(), rule.name(), rule.level(), rule.summary());
+        let anchor = format!("{code}-{}", name.replace(' ', "-")).to_lowercase();
+        let _ = writeln!(text, "| [{code}](#{anchor}) | {name} | {level} | {summary} |");
+    }
+    text
+}
+
+/// The page with its headings one level down, so that it fits below the manual's; examples stay as they are.
+fn below(page: &str) -> String {
+    let mut in_example = false;
+    let mut lower = |line: &str| {
+        in_example ^= line.starts_with("```");
+        let heading = !in_example && line.starts_with('#');
+        format!("{}{line}\n", if heading { "#" } else { "" })
+    };
+    page.lines().map(&mut lower).collect()
+}

@@ -1,0 +1,99 @@
+//! The one table of rules, in the order of their codes. A code that dies is not given again: it moves to [`RETIRED`].
+
+use super::{Rule, ini};
+
+/// Rules that look at the same thing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Family {
+    /// The letters that its codes start with: `INI`.
+    pub letters: &'static str,
+    /// What its rules look at.
+    pub title: &'static str,
+}
+
+pub(super) const FAMILIES: &[Family] = &[
+    Family {
+        letters: "INI",
+        title: "the text of the file: bytes, lines, headers",
+    },
+    Family {
+        letters: "EDS",
+        title: "the structure of the file: sections, keywords, lists, numbers",
+    },
+    Family {
+        letters: "OBJ",
+        title: "the objects: types, access, limits, values",
+    },
+];
+
+const RULES: &[Rule] = &[
+    Rule::document::<ini::JunkLine>(),
+    Rule::document::<ini::DuplicateSection>(),
+    Rule::document::<ini::DuplicateKeyword>(),
+    Rule::document::<ini::TextNotAscii>(),
+    Rule::document::<ini::KeywordOutsideSection>(),
+    Rule::document::<ini::MalformedHeader>(),
+    Rule::document::<ini::IndentedHeader>(),
+    Rule::document::<ini::TextAfterHeader>(),
+    Rule::document::<ini::OverlongLine>(),
+    Rule::document::<ini::ControlCharacter>(),
+    Rule::document::<ini::ByteOrderMark>(),
+    Rule::document::<ini::MixedLineEnds>(),
+    Rule::document::<ini::HashComment>(),
+    Rule::document::<ini::ForeignFile>(),
+];
+
+/// Codes of rules that are no more.
+#[cfg(test)]
+const RETIRED: &[&str] = &[];
+
+/// All rules, in the order of their families and codes.
+#[must_use]
+pub const fn all() -> &'static [Rule] {
+    RULES
+}
+
+/// All families.
+#[must_use]
+pub const fn families() -> &'static [Family] {
+    FAMILIES
+}
+
+/// The rule with `code`, in any case.
+#[must_use]
+pub fn find(code: &str) -> Option<&'static Rule> {
+    let mut rules = RULES.iter();
+    rules.find(|rule| rule.code().as_str().eq_ignore_ascii_case(code))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The place in the table of families, then the number.
+    fn order(code: &str) -> (Option<usize>, &str) {
+        let family = FAMILIES.iter().position(|family| code.starts_with(family.letters));
+        (family, &code[3..])
+    }
+
+    #[test]
+    fn the_table_stands_in_the_order_of_the_codes_and_no_code_is_used_twice() {
+        let codes: Vec<&str> = RULES.iter().map(|rule| rule.code().as_str()).collect();
+        assert!(codes.is_sorted_by_key(|code| order(code)));
+        assert!(codes.windows(2).all(|pair| pair[0] != pair[1]));
+        assert!(codes.iter().all(|code| !RETIRED.contains(code)));
+    }
+
+    #[test]
+    fn a_code_is_a_family_and_three_digits() {
+        for code in RULES.iter().map(Rule::code) {
+            assert!(FAMILIES.iter().any(|family| family.letters == code.family()), "{code}");
+            let number = &code.as_str()[code.family().len()..];
+            assert!(
+                number.len() == 3 && number.bytes().all(|byte| byte.is_ascii_digit()),
+                "{code}"
+            );
+        }
+    }
+}

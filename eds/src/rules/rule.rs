@@ -1,0 +1,126 @@
+//! What a rule is: facts, documentation and a check, all in one file.
+
+use super::Report;
+use crate::{
+    Reading,
+    diagnostic::{Code, Level},
+    document::Document,
+};
+
+/// A rule, as users know it.
+#[derive(Clone, Copy, Debug)]
+pub struct Rule {
+    pub(super) facts: &'static Facts,
+    pub(super) check: Check,
+}
+
+/// What [`declare_rule!`](super::declare_rule) writes down.
+#[derive(Debug)]
+pub(crate) struct Facts {
+    pub(crate) code: Code,
+    pub(crate) level: Level,
+    pub(crate) since: &'static str,
+    /// The path of the rule's module; its last part is the rule's name.
+    pub(crate) module: &'static str,
+    /// The lines of the doc comment, each as written behind `///`.
+    pub(crate) documentation: &'static str,
+}
+
+/// The check, by what it looks at.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Check {
+    Document(fn(&Document, &mut Report)),
+}
+
+/// A type that stands for a rule. Made by [`declare_rule!`](super::declare_rule).
+pub(crate) trait Declared {
+    const FACTS: Facts;
+}
+
+/// Looks at lines, sections and keywords.
+pub(crate) trait DocumentRule: Declared {
+    fn check(document: &Document, report: &mut Report);
+}
+
+impl Rule {
+    pub(super) const fn document<R: DocumentRule>() -> Self {
+        Self {
+            facts: &R::FACTS,
+            check: Check::Document(R::check),
+        }
+    }
+
+    /// The code: `EDS004`.
+    #[must_use]
+    pub const fn code(&self) -> Code {
+        self.facts.code
+    }
+
+    /// The level that holds unless the user says otherwise.
+    #[must_use]
+    pub const fn level(&self) -> Level {
+        self.facts.level
+    }
+
+    /// The version of Lexican that brought it.
+    #[must_use]
+    pub const fn since(&self) -> &'static str {
+        self.facts.since
+    }
+
+    /// What it finds, so that it reads well after "allow": `unreadable number`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        let module = self.facts.module;
+        module.rsplit("::").next().unwrap_or(module).replace('_', " ")
+    }
+
+    /// The page about it in Markdown: *What it does*, *Why it matters*, *Example*, *Reference*, under second-level headings.
+    #[must_use]
+    pub fn documentation(&self) -> String {
+        let lines = self.facts.documentation.lines();
+        let lines = lines.map(|line| line.strip_prefix(' ').unwrap_or(line).to_owned() + "\n");
+        lines.collect()
+    }
+
+    /// The first sentence of *What it does*.
+    #[must_use]
+    pub fn summary(&self) -> String {
+        let page = self.documentation();
+        let text = page.lines().skip(1).take_while(|line| !line.is_empty());
+        let text = text.collect::<Vec<_>>().join(" ");
+        match text.split_once(". ") {
+            Some((first, _)) => format!("{first}."),
+            None => text,
+        }
+    }
+
+    pub(super) fn run(&self, reading: &Reading, report: &mut Report) {
+        match self.check {
+            Check::Document(check) => check(&reading.document, report),
+        }
+    }
+}
+
+/// Declares a rule: its doc comment is what users read, the braces hold its facts, the module's name is its name.
+macro_rules! declare_rule {
+    (
+        $(#[doc = $line:literal])+
+        $visibility:vis $name:ident { code: $code:literal, level: $level:expr, since: $since:literal $(,)? }
+    ) => {
+        $(#[doc = $line])+
+        $visibility struct $name;
+
+        impl $crate::rules::rule::Declared for $name {
+            const FACTS: $crate::rules::rule::Facts = $crate::rules::rule::Facts {
+                code: $crate::diagnostic::Code::new($code),
+                level: $level,
+                since: $since,
+                module: module_path!(),
+                documentation: concat!($($line, "\n"),+),
+            };
+        }
+    };
+}
+
+pub(crate) use declare_rule;
