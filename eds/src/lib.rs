@@ -7,6 +7,7 @@
 
 pub mod diagnostic;
 pub mod document;
+pub mod dump;
 mod ini;
 pub mod ir;
 pub mod literal;
