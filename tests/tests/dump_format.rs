@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use lexican_eds::dump::{Answer, Dump, Identity, JsonError};
+use lexican_eds::dump::{AbortCode, Answer, Dump, Identity, JsonError};
 use lexican_eds::ir::{Address, NodeId};
 use proptest::prelude::*;
 
@@ -15,7 +15,7 @@ fn documented() -> Dump {
     let objects = [
         (0x1000, 0, Answer::Value(vec![0x96, 0x01, 0x02, 0x00])),
         (0x1003, 0, Answer::Value(vec![0])),
-        (0x1003, 1, Answer::Abort(0x0800_0024)),
+        (0x1003, 1, Answer::Abort(AbortCode(0x0800_0024))),
         (0x1008, 0, Answer::Value(b"WDGA".to_vec())),
         (0x1018, 1, Answer::Value(vec![0x9B, 0, 0, 0])),
         (0x2000, 0, Answer::Timeout),
@@ -219,7 +219,7 @@ fn hostile_nesting_is_refused_without_overflow() {
 fn any_answer() -> impl Strategy<Value = Answer> {
     prop_oneof![
         proptest::collection::vec(any::<u8>(), 0..40).prop_map(Answer::Value),
-        any::<u32>().prop_map(Answer::Abort),
+        any::<u32>().prop_map(|code| Answer::Abort(AbortCode(code))),
         Just(Answer::Timeout),
     ]
 }

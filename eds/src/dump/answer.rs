@@ -1,12 +1,14 @@
 //! One answer.
 
+use super::AbortCode;
+
 /// What came of reading one address.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Answer {
     /// The bytes that were uploaded, in the order of the bus; may be none.
     Value(Vec<u8>),
-    /// The SDO abort code (CiA 301, table 22) that ended the transfer.
-    Abort(u32),
+    /// What the transfer was ended with, by the device or by the client.
+    Abort(AbortCode),
     /// No answer came in the client's time.
     Timeout,
 }
@@ -21,10 +23,12 @@ impl Answer {
         }
     }
 
-    /// Whether the device said that there is nothing at the address: 0602 0000h (no such object) or 0609 0011h (no such
-    /// sub-index).
+    /// Whether the device said that there is nothing at the address: no such object or no such sub-index.
     #[must_use]
     pub const fn is_absence(&self) -> bool {
-        matches!(self, Self::Abort(0x0602_0000 | 0x0609_0011))
+        matches!(
+            self,
+            Self::Abort(AbortCode::NO_SUCH_OBJECT | AbortCode::NO_SUCH_SUB_INDEX)
+        )
     }
 }

@@ -3,6 +3,7 @@
 //! A dump holds bytes, not meaning: which data type they are of is the EDS's word, and the rules of family DMP compare
 //! the two. An address that a dump does not hold was not asked for.
 
+mod abort;
 mod answer;
 mod identity;
 #[cfg(feature = "json")]
@@ -11,6 +12,7 @@ mod json;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
+pub use abort::AbortCode;
 pub use answer::Answer;
 pub use identity::Identity;
 #[cfg(feature = "json")]

@@ -6,7 +6,7 @@ use std::fmt;
 use serde::de::{self, Deserialize, Deserializer, MapAccess, Visitor};
 
 use super::values::{Number, shown};
-use crate::dump::Answer;
+use crate::dump::{AbortCode, Answer};
 use crate::ir::Address;
 
 /// Every address once.
@@ -83,7 +83,7 @@ impl<'de> Visitor<'de> for AnswerVisitor {
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Answer, A::Error> {
         let answer = match map.next_key::<String>()?.as_deref() {
-            Some("abort") => Answer::Abort(map.next_value::<Number>()?.0),
+            Some("abort") => Answer::Abort(AbortCode(map.next_value::<Number>()?.0)),
             Some("timeout") if map.next_value()? => Answer::Timeout,
             _ => return Err(de::Error::invalid_value(de::Unexpected::Map, &self)),
         };

@@ -73,7 +73,7 @@ impl fmt::Display for AsJson<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0 {
             Answer::Value(bytes) => write_bytes(f, bytes),
-            Answer::Abort(code) => write!(f, "{{ \"abort\": \"0x{code:08X}\" }}"),
+            Answer::Abort(code) => write!(f, "{{ \"abort\": \"0x{:08X}\" }}", code.0),
             Answer::Timeout => f.write_str("{ \"timeout\": true }"),
         }
     }
