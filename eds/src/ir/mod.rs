@@ -9,6 +9,7 @@ mod data_type;
 mod device;
 mod dictionary;
 mod object;
+mod order;
 mod pdo;
 mod value;
 
