@@ -1,25 +1,36 @@
-//! A CANopen slave whose object dictionary is generated from an EDS file.
+#![doc = include_str!("../README.md")]
 //!
-//! The layers, each a folder, each knowing only those above it in this list:
+//! # The layers
+//!
+//! Each a folder or file, each knowing only those above it in this list:
 //!
 //! * [`wire`]: bytes ↔ meaning, one message family a file, no state.
 //! * [`od`]: the object dictionary: a table in flash, values in one struct, access with the abort codes of CiA 301.
 //! * one service a file or folder: [`sdo`], [`nmt`], [`heartbeat`].
-//! * [`node`]: ties the services together: [`Node::receive`], [`Node::poll`], [`Node::poll_at`].
-//!
-//! There is no clock, no allocator, no `unsafe`, no static and no reachable panic in here.
-//! Frames and time come in as arguments, frames go out as return values.
+//! * [`Node`]: ties the services together: [`Node::receive`], [`Node::poll`], [`Node::poll_at`].
 
 #![no_std]
 
+pub mod heartbeat;
+pub mod nmt;
 pub mod od;
+pub mod sdo;
+pub mod wire;
 
 mod abort;
 mod address;
+mod instant;
+mod node;
 mod node_id;
 
 pub use abort::AbortCode;
 pub use address::Address;
 pub use bytemuck;
+pub use instant::Instant;
+pub use node::Node;
 pub use node_id::NodeId;
 pub use od::{Device, Reset};
+pub use wire::{
+    nmt::{NmtCommand, NmtState},
+    CanId, Frame,
+};

@@ -1,5 +1,29 @@
 //! A device as the generator writes it, by hand: one object of each kind.
 
+use lexican_runtime::AbortCode;
+
+use device::{Device, Dictionary, Handlers};
+
+/// An application that does nothing: what is written is stored, what is read is what is stored.
+#[derive(Clone, Copy, Debug)]
+pub struct Quiet;
+
+impl Handlers for Quiet {
+    fn write_preset_value(&mut self, _: &mut Dictionary, _: u32) -> Result<(), AbortCode> {
+        Ok(())
+    }
+
+    fn read_position_value(&mut self, _: &mut Dictionary) -> Result<(), AbortCode> {
+        Ok(())
+    }
+}
+
+/// The sample device with an application that does nothing.
+#[must_use]
+pub fn quiet() -> Device<Quiet> {
+    Device::new(Quiet)
+}
+
 /// Object dictionary of `Sample`, generated from `sample.eds`. Do not edit.
 pub mod device {
     use core::mem::offset_of;

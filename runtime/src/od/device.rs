@@ -10,7 +10,7 @@ use crate::{AbortCode, Address};
 /// a service whose objects do not exist is compiled to nothing.
 pub trait Device {
     /// Room for the longest string among the values, `[u8; N]`: an SDO transfer is collected in it, so that a string is
-    /// never stored or sent half old, half new.
+    /// never stored or sent half old, half new. At least 8 bytes, for the longest number.
     type Buffer: AsRef<[u8]> + AsMut<[u8]>;
 
     /// The dictionary's entries.
@@ -58,4 +58,14 @@ pub enum Reset {
     Node,
     /// Reset communication: 1000h to 1FFFh.
     Communication,
+}
+
+impl Reset {
+    /// Whether it is about the object at `index`.
+    pub(crate) const fn includes(self, index: u16) -> bool {
+        match self {
+            Self::Node => true,
+            Self::Communication => index & 0xF000 == 0x1000,
+        }
+    }
 }

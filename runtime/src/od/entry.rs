@@ -1,6 +1,7 @@
 //! One row of the table: eight bytes of flash for each value.
 
 use super::DataType;
+use crate::Address;
 
 /// What may be done with a value, and where it stands: a set of bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,6 +73,12 @@ impl Entry {
             data_type,
             access,
         }
+    }
+
+    /// Index and sub-index.
+    #[must_use]
+    pub const fn address(self) -> Address {
+        Address::new(self.index, self.sub)
     }
 }
 

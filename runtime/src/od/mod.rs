@@ -11,13 +11,23 @@
 mod data_type;
 mod device;
 mod entry;
+mod limits;
+mod read;
+mod reset;
+mod services;
 mod table;
 mod value;
 mod values;
+mod write;
 
 pub use data_type::DataType;
 pub use device::{Device, Reset};
 pub use entry::{Access, Entry, Extra};
-pub use table::{lookup_key, place, place_of, Table};
+pub use read::{load, number, read, readable};
+pub use reset::{resolve_node_id, restore};
+pub use services::Services;
+pub use table::{bucket_of, lookup_key, place, place_of, Table};
 pub use value::Value;
 pub use values::{Boolean, OctetString, TimeOfDay, VisibleString};
+pub(crate) use write::store_number;
+pub use write::{capacity, check_length, set, store, writable, write};

@@ -1,6 +1,6 @@
 //! The table of entries, found by a perfect hash: the same few instructions for ten objects and for ten thousand.
 
-use super::{Entry, Extra};
+use super::{Access, Entry, Extra};
 use crate::Address;
 
 /// A dictionary's description. Generated ones stand in flash; a simulated one may own its parts.
@@ -56,6 +56,12 @@ pub const fn place<const N: usize, const PLACES: usize>(sorted: &[Entry; N], see
     placed
 }
 
+/// The bucket, and so the seed, of `address` in a table with so many seeds.
+#[must_use]
+pub const fn bucket_of(address: Address, seeds: usize) -> usize {
+    bucket(lookup_key(address), seeds)
+}
+
 /// The place of `address` in a table with these seeds and so many places.
 ///
 /// A generator that looks for seeds asks this for every entry of a bucket, until it knows a seed with which all of them
@@ -76,6 +82,17 @@ impl Table<'_> {
         let entry = *self.entries.get(slot(key, seed, self.entries.len()))?;
         // An empty place has the address 0000h:00, which a client may ask for.
         (entry.index == address.index && entry.sub == address.sub && entry.data_type.0 != 0).then_some(entry)
+    }
+
+    /// Where the value of `entry` stands, and the [`Extra::detail`] of it (0 where it has none); `None` for an entry that
+    /// is not of this table.
+    #[inline]
+    pub(crate) fn locate(&self, entry: Entry) -> Option<(usize, usize)> {
+        if !entry.access.has(Access::EXTRA) {
+            return Some((usize::from(entry.slot), 0));
+        }
+        let extra = self.extras.get(usize::from(entry.slot))?;
+        Some((usize::from(extra.slot), usize::from(extra.detail)))
     }
 
     /// Whether any sub-index of `index` exists. Slow: walks the table; only a refused access asks.

@@ -7,8 +7,8 @@ use super::{DataType, TimeOfDay};
 pub enum Value<'a> {
     /// A value of fixed length.
     Number {
-        /// Its bits, widened to 64: with the sign of an INTEGER, with zeros else. The low [`DataType::length`] bytes are
-        /// what goes on the bus.
+        /// Its bits: the low [`DataType::length`] bytes are what goes on the bus, the low [`DataType::width`] bytes what
+        /// stands in the dictionary. Higher ones mean nothing.
         bits: u64,
         /// The data type.
         data_type: DataType,

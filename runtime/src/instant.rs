@@ -1,0 +1,37 @@
+//! Time, as the caller's clock counts it.
+
+/// A point in time, in microseconds since some start that the caller chose.
+///
+/// 64 bits do not wrap in the life of a device.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Instant(u64);
+
+impl Instant {
+    /// Where a timer points that does not run: later than any clock gets.
+    pub const NEVER: Self = Self(u64::MAX);
+
+    /// `micros` µs after the clock's start.
+    #[must_use]
+    pub const fn from_micros(micros: u64) -> Self {
+        Self(micros)
+    }
+
+    /// `millis` ms after the clock's start.
+    #[must_use]
+    pub const fn from_millis(millis: u64) -> Self {
+        Self(millis.saturating_mul(1000))
+    }
+
+    /// Microseconds since the clock's start.
+    #[must_use]
+    pub const fn as_micros(self) -> u64 {
+        self.0
+    }
+
+    /// The point `millis` ms later.
+    #[inline]
+    #[must_use]
+    pub const fn plus_millis(self, millis: u32) -> Self {
+        Self(self.0.saturating_add(millis as u64 * 1000))
+    }
+}

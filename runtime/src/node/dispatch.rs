@@ -1,0 +1,27 @@
+//! CAN-ID → service.
+
+use crate::{
+    wire::{CanId, Frame},
+    NodeId,
+};
+
+/// Who a frame is for, with the data that it has been found to carry.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Service {
+    /// NMT commands.
+    Nmt,
+    /// The SDO server: always eight bytes.
+    Sdo([u8; 8]),
+    /// Nobody here.
+    None,
+}
+
+/// The service that `frame` is for.
+#[inline]
+pub(super) fn service(frame: &Frame, node_id: NodeId) -> Service {
+    match frame.data_id() {
+        Some(id) if id == CanId::sdo_request(node_id) => frame.full_data().map_or(Service::None, Service::Sdo),
+        Some(CanId::NMT) => Service::Nmt,
+        _ => Service::None,
+    }
+}

@@ -1,0 +1,35 @@
+//! What there is to send.
+
+/// Services with a frame to send, a set of bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Pending(u8);
+
+impl Pending {
+    pub(super) const NOTHING: Self = Self(0x00);
+    /// The boot-up message, before all others.
+    pub(super) const BOOT_UP: Self = Self(0x01);
+    /// No frame: objects of the services may have changed, and are to be looked at.
+    pub(super) const CONFIGURATION: Self = Self(0x02);
+    /// The SDO server's response.
+    pub(super) const SDO: Self = Self(0x04);
+    /// A heartbeat.
+    pub(super) const HEARTBEAT: Self = Self(0x08);
+
+    #[inline]
+    pub(super) fn add(&mut self, other: Self) {
+        self.0 |= other.0;
+    }
+
+    #[inline]
+    pub(super) fn remove(&mut self, other: Self) {
+        self.0 &= !other.0;
+    }
+
+    /// Whether `other` was in it; now it is not.
+    #[inline]
+    pub(super) fn take(&mut self, other: Self) -> bool {
+        let had = self.0 & other.0 != 0;
+        self.remove(other);
+        had
+    }
+}

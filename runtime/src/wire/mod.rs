@@ -1,0 +1,18 @@
+//! Bytes ↔ meaning: one message family a file, no state.
+//!
+//! Each message is an enum or struct with `parse` (bytes → meaning) and `emit` (meaning → bytes), for both directions, so
+//! that a master speaks with the same code. The contract of the whole layer:
+//!
+//! * `parse` takes any bytes and never panics. It ignores reserved bits, as CiA 301 asks of a receiver.
+//! * `emit` sets reserved bits and unused bytes to 0, as CiA 301 asks of a sender.
+//! * What `emit` made, `parse` gives back.
+
+pub mod heartbeat;
+pub mod nmt;
+pub mod sdo;
+
+mod can_id;
+mod frame;
+
+pub use can_id::CanId;
+pub use frame::Frame;

@@ -1,0 +1,134 @@
+//! A bus with one node on it, spoken to in lines:
+//!
+//! ```
+//! use lexican_tests::{bus::Bus, sample};
+//!
+//! Bus::booted(sample::quiet(), 1)
+//!     .send("601#4000100000000000")
+//!     .expect("581#4300100096010200")
+//!     .silence();
+//! ```
+
+use std::collections::VecDeque;
+
+use lexican_runtime::{Device, Frame, Instant, Node, NodeId};
+
+use crate::line;
+
+/// A node, a clock, and what the node has sent.
+pub struct Bus<D: Device> {
+    node: Node<D>,
+    now: Instant,
+    sent: VecDeque<Frame>,
+    /// The dialogue so far, shown when it goes wrong.
+    log: Vec<String>,
+}
+
+impl<D: Device> Bus<D> {
+    /// A bus with `device` on it, just switched on: it has said nothing yet.
+    ///
+    /// # Panics
+    /// When `node_id` is not 1 to 127.
+    #[must_use]
+    pub fn new(device: D, node_id: u8) -> Self {
+        let node_id = NodeId::new(node_id).expect("a node-ID, 1 to 127");
+        Self {
+            node: Node::new(device, node_id),
+            now: Instant::from_millis(1),
+            sent: VecDeque::new(),
+            log: Vec::new(),
+        }
+    }
+
+    /// A bus with `device` on it, which has sent its boot-up message.
+    ///
+    /// # Panics
+    /// When it sends something else.
+    #[must_use]
+    #[track_caller]
+    pub fn booted(device: D, node_id: u8) -> Self {
+        let mut bus = Self::new(device, node_id);
+        bus.advance(0).expect(&format!("{:03X}#00", 0x700 + u16::from(node_id)));
+        bus
+    }
+
+    /// Sends a frame to the node, and takes what it answers at once.
+    #[track_caller]
+    pub fn send(&mut self, frame: &str) -> &mut Self {
+        self.put(line::frame(frame))
+    }
+
+    /// As [`Bus::send`], of a frame that is none of text.
+    pub fn put(&mut self, frame: Frame) -> &mut Self {
+        self.log.push(format!("> {frame:?}"));
+        self.node.receive(self.now, &frame);
+        self.collect();
+        self
+    }
+
+    /// The next frame that the node has sent, in the order of sending. `581#43..` is any frame that begins so.
+    ///
+    /// # Panics
+    /// When it is another one, or there is none.
+    #[track_caller]
+    pub fn expect(&mut self, frame: &str) -> &mut Self {
+        let sent = self
+            .take()
+            .map_or_else(|| "nothing".to_owned(), |sent| format!("{sent:?}"));
+        let right = match frame.strip_suffix("..") {
+            Some(beginning) => sent.starts_with(beginning),
+            None => sent == format!("{:?}", line::frame(frame)),
+        };
+        assert!(right, "expected {frame}, got {sent}, after\n{}", self.log.join("\n"));
+        self
+    }
+
+    /// The node has sent nothing more.
+    ///
+    /// # Panics
+    /// When it has.
+    #[track_caller]
+    pub fn silence(&mut self) -> &mut Self {
+        if let Some(sent) = self.take() {
+            panic!("expected silence, got {sent:?}, after\n{}", self.log.join("\n"));
+        }
+        self
+    }
+
+    /// Lets `millis` ms pass, the node being polled when it asks for it.
+    pub fn advance(&mut self, millis: u64) -> &mut Self {
+        let end = Instant::from_micros(self.now.as_micros() + millis * 1000);
+        self.log.push(format!("+ {millis} ms"));
+        self.collect();
+        while let Some(due) = self.node.poll_at().filter(|due| *due <= end) {
+            self.now = due.max(self.now);
+            self.collect();
+        }
+        self.now = end;
+        self
+    }
+
+    /// The next frame that the node has sent.
+    pub fn take(&mut self) -> Option<Frame> {
+        self.sent.pop_front()
+    }
+
+    /// The node.
+    pub fn node(&mut self) -> &mut Node<D> {
+        &mut self.node
+    }
+
+    /// The time on this bus.
+    #[must_use]
+    pub fn now(&self) -> Instant {
+        self.now
+    }
+
+    /// Takes all that the node has to say now.
+    fn collect(&mut self) {
+        while let Some(frame) = self.node.poll(self.now) {
+            self.log.push(format!("< {frame:?}"));
+            self.sent.push_back(frame);
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! A device that is put together while the test runs: slow, and about any dictionary.
+
+use lexican_runtime::od::{Access, DataType, Device, Entry, Extra, Table, Value, bucket_of, place_of};
+use lexican_runtime::{AbortCode, Address};
+
+/// A value that a simulated device is to have.
+#[derive(Clone, Debug)]
+pub struct Object {
+    /// Index and sub-index.
+    pub address: Address,
+    /// The data type.
+    pub data_type: DataType,
+    /// [`Access::READ`], [`Access::WRITE`], [`Access::NODE_ID`] and whether it may be mapped.
+    pub access: Access,
+    /// The value after power-on, as on the bus.
+    pub default: Vec<u8>,
+    /// Low and high limit, as on the bus.
+    pub limits: Option<(Vec<u8>, Vec<u8>)>,
+    /// How many bytes a string may have; the longer of this and the default counts.
+    pub capacity: usize,
+}
+
+/// A device without an application.
+#[derive(Clone, Debug, Default)]
+pub struct Simulated {
+    places: Vec<Entry>,
+    seeds: Vec<u16>,
+    extras: Vec<Extra>,
+    constants: Vec<u8>,
+    values: Vec<u8>,
+    defaults: Vec<u8>,
+    longest: usize,
+}
+
+impl Simulated {
+    /// The device with these objects.
+    #[must_use]
+    pub fn new(objects: &[Object]) -> Self {
+        let mut device = Self::default();
+        let entries: Vec<Entry> = objects.iter().map(|object| device.lay_out(object)).collect();
+        device.place(&entries);
+        device.values.clone_from(&device.defaults);
+        device
+    }
+
+    /// Gives the object room among the values, and its extras.
+    fn lay_out(&mut self, object: &Object) -> Entry {
+        let slot = self.defaults.len();
+        let mut access = object.access;
+        let mut at = slot;
+        if object.data_type.length() == 0 {
+            let capacity = self.string(object);
+            (access, at) = (access.with(Access::EXTRA), self.extras.len());
+            self.extras.push(Extra::new(slot, capacity));
+        } else {
+            self.defaults.extend(widened(object.data_type, &object.default));
+        }
+        if let Some((low, high)) = &object.limits {
+            (access, at) = (access.with(Access::EXTRA), self.extras.len());
+            self.extras.push(Extra::new(slot, self.constants.len()));
+            self.constants.extend(little_endian(object.data_type, low));
+            self.constants.extend(little_endian(object.data_type, high));
+        }
+        Entry::new(object.address.index, object.address.sub, object.data_type, access, at)
+    }
+
+    /// Lays out a string; gives its capacity.
+    fn string(&mut self, object: &Object) -> usize {
+        let length = object.default.len();
+        let capacity = object.capacity.max(length);
+        self.longest = self.longest.max(capacity);
+        self.defaults
+            .extend(u16::try_from(length).expect("64 KiB").to_le_bytes());
+        self.defaults.extend(&object.default);
+        self.defaults.resize(self.defaults.len() + capacity - length, 0);
+        capacity
+    }
+
+    /// Finds the seeds of a perfect hash: for the fullest bucket first the least seed that puts all its entries on free
+    /// places.
+    fn place(&mut self, entries: &[Entry]) {
+        let places = entries.len() + entries.len() / 8 + 1;
+        self.places = vec![Entry::EMPTY; places];
+        self.seeds = vec![0; entries.len() / 4 + 1];
+        let mut buckets: Vec<Vec<Entry>> = vec![Vec::new(); self.seeds.len()];
+        for entry in entries {
+            buckets[bucket_of(entry.address(), self.seeds.len())].push(*entry);
+        }
+        let mut order: Vec<usize> = (0..buckets.len()).collect();
+        order.sort_by_key(|&bucket| std::cmp::Reverse(buckets[bucket].len()));
+        for bucket in order {
+            let seed = (0..=u16::MAX).find(|&seed| self.try_seed(bucket, &buckets[bucket], seed));
+            assert!(seed.is_some(), "no seed for a bucket of {}", buckets[bucket].len());
+        }
+    }
+
+    /// Puts the entries of a bucket on their places, if `seed` gives them free ones.
+    fn try_seed(&mut self, bucket: usize, entries: &[Entry], seed: u16) -> bool {
+        self.seeds[bucket] = seed;
+        let places = self.places.len();
+        let mut wanted: Vec<usize> = entries
+            .iter()
+            .map(|entry| place_of(entry.address(), &self.seeds, places))
+            .collect();
+        let free = wanted.iter().all(|&place| self.places[place] == Entry::EMPTY);
+        wanted.sort_unstable();
+        if !free || wanted.windows(2).any(|pair| pair[0] == pair[1]) {
+            return false;
+        }
+        for entry in entries {
+            let place = place_of(entry.address(), &self.seeds, places);
+            self.places[place] = *entry;
+        }
+        true
+    }
+}
+
+/// `bytes` from the bus as wide as in the dictionary, little-endian, with the sign of an INTEGER.
+fn little_endian(data_type: DataType, bytes: &[u8]) -> Vec<u8> {
+    let negative = data_type.is_signed() && bytes.last().is_some_and(|byte| byte & 0x80 != 0);
+    let mut wide = bytes.to_vec();
+    wide.resize(data_type.width(), if negative { 0xFF } else { 0x00 });
+    wide
+}
+
+/// The same in the byte order of this machine. TIME_OF_DAY stands as on the bus.
+fn widened(data_type: DataType, bytes: &[u8]) -> Vec<u8> {
+    let mut wide = little_endian(data_type, bytes);
+    if cfg!(target_endian = "big") && data_type.width() != 6 {
+        wide.reverse();
+    }
+    wide
+}
+
+impl Device for Simulated {
+    type Buffer = Vec<u8>;
+
+    fn table(&self) -> Table<'_> {
+        Table {
+            entries: &self.places,
+            seeds: &self.seeds,
+            extras: &self.extras,
+            constants: &self.constants,
+        }
+    }
+
+    fn values(&self) -> &[u8] {
+        &self.values
+    }
+
+    fn values_mut(&mut self) -> &mut [u8] {
+        &mut self.values
+    }
+
+    fn defaults(&self) -> &[u8] {
+        &self.defaults
+    }
+
+    fn buffer(&self) -> Self::Buffer {
+        vec![0; self.longest.max(8)]
+    }
+
+    fn before_read(&mut self, _: Address) -> Result<(), AbortCode> {
+        Ok(())
+    }
+
+    fn before_write(&mut self, _: Address, _: Value<'_>) -> Result<(), AbortCode> {
+        Ok(())
+    }
+}
