@@ -26,6 +26,18 @@ impl Span {
         Self::new(offset(range.start), offset(range.end))
     }
 
+    /// How many bytes.
+    #[must_use]
+    pub const fn len(self) -> usize {
+        self.end.saturating_sub(self.start) as usize
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub const fn is_empty(self) -> bool {
+        self.end <= self.start
+    }
+
     /// The same bytes as an index of text.
     pub(crate) const fn range(self) -> Range<usize> {
         self.start as usize..self.end as usize

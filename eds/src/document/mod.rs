@@ -1,18 +1,24 @@
 //! A file as sections and entries, each with its place; written back as it was read.
 
+mod duplicates;
 mod keyword;
 mod problem;
+mod read;
 mod section_name;
 
+pub use crate::source::Format;
 pub use keyword::Keyword;
-pub use problem::{Format, Problem};
+pub use problem::Problem;
 pub use section_name::{ModulePart, SectionName};
 
-use crate::ini;
 use crate::source::Source;
 use crate::span::Span;
 
 /// A file, read line by line.
+///
+/// Where a section or a keyword stands twice, both are here, the second also as a [problem](Problem::DuplicateSection).
+/// **The first one counts**, for all later stages: so does `GetPrivateProfileString` of Windows, by which the tools of most
+/// vendors read an EDS. (Python's `configparser`, and python-canopen with it, refuses such a file.)
 #[derive(Clone, Debug, Default)]
 pub struct Document {
     source: Source,
@@ -27,20 +33,22 @@ pub struct Section {
     pub name: SectionName,
     /// The header, from bracket to bracket.
     pub header: Span,
-    /// The text between the brackets.
+    /// The text between the brackets, without the blanks around it.
     pub label: Span,
     /// In the order of the file, duplicates kept.
     pub entries: Vec<Entry>,
 }
 
 /// A keyword and its value.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry {
     /// What the value is about.
     pub keyword: Keyword,
     /// The keyword as written.
     pub key: Span,
-    /// The value without the blanks around it; empty when there is none.
+    /// The value as written, without the blanks around it; empty when there is none.
+    ///
+    /// CiA 306-1 has no comments behind a value: `rw # read/write` is the whole value.
     pub value: Span,
 }
 
@@ -48,14 +56,11 @@ impl Document {
     /// Reads a file. What makes no sense becomes a [problem](Document::problems).
     #[must_use]
     pub fn read(source: Source) -> Self {
-        let sections = ini::read(&source)
-            .into_iter()
-            .map(|section| interpret(&source, section))
-            .collect();
+        let (sections, problems) = read::read(&source);
         Self {
             source,
             sections,
-            problems: Vec::new(),
+            problems,
         }
     }
 
@@ -90,46 +95,10 @@ impl Document {
     }
 }
 
-fn interpret(source: &Source, section: ini::IniSection) -> Section {
-    Section {
-        name: SectionName::parse(source.slice(section.label)),
-        header: section.header,
-        label: section.label,
-        entries: section
-            .pairs
-            .into_iter()
-            .map(|(key, value)| Entry {
-                keyword: Keyword::parse(source.slice(key)),
-                key,
-                value,
-            })
-            .collect(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sections_and_entries_come_in_the_order_of_the_file() {
-        let text = "[1018sub1]\r\nParameterName=Vendor-ID \r\nDataType=0x0007\r\n";
-        let document = Document::read(Source::decode("x.eds", text.into()));
-        let [section] = document.sections() else {
-            panic!("one section")
-        };
-        assert_eq!(section.name, SectionName::Sub(0x1018, 1));
-        let entries: Vec<_> = section
-            .entries
-            .iter()
-            .map(|e| (e.keyword, document.text(e.value)))
-            .collect();
-        assert_eq!(
-            entries,
-            [(Keyword::ParameterName, "Vendor-ID"), (Keyword::DataType, "0x0007")]
-        );
-        let place = document.source().line_column(section.entries[1].value);
-        assert_eq!((place.line, place.column), (3, 10));
-        assert_eq!(document.to_bytes(), text.as_bytes());
+impl Section {
+    /// The entry of `keyword`; the first, when there are more.
+    #[must_use]
+    pub fn entry(&self, keyword: Keyword) -> Option<&Entry> {
+        self.entries.iter().find(|entry| entry.keyword == keyword)
     }
 }

@@ -1,5 +1,6 @@
 //! What a reader of lines stumbles over.
 
+use crate::source::{Encoding, Format};
 use crate::span::Span;
 
 /// A fact about lines, sections and bytes that CiA 306-1 does not allow, or that makes a reader guess.
@@ -25,7 +26,7 @@ pub enum Problem {
         /// The first such character.
         at: Span,
         /// What the line was read as.
-        encoding: crate::source::Encoding,
+        encoding: Encoding,
     },
     /// A control character, neither tab nor line end: NUL, or Ctrl-Z as the end of file of old. One problem a line.
     ControlCharacter {
@@ -110,30 +111,6 @@ pub enum Problem {
         /// The keyword.
         at: Span,
     },
-}
-
-/// What a file is that is not an EDS or DCF.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Format {
-    /// Nothing: no bytes, or blanks only.
-    Empty,
-    /// Bytes that are no text.
-    Binary,
-    /// UTF-16 text, with or without a byte order mark.
-    Utf16,
-    /// A CANopen device description in XML: XDD, XDC, XPD (CiA 311).
-    CanopenXml,
-    /// An Ethernet POWERLINK device description in XML.
-    PowerlinkXml,
-    /// XML of another kind.
-    Xml,
-    /// An EDS of ODVA: EtherNet/IP, DeviceNet, ControlNet.
-    Odva,
-    /// Text without a single section.
-    Text,
-    /// More than 1 GiB.
-    TooLarge,
 }
 
 impl Problem {

@@ -84,43 +84,48 @@ impl SectionName {
             .unwrap_or(Self::Unknown)
     }
 
-    /// Whether `label` is written as the standard allows, apart from the case of letters: no blank, no `0x`, no leading
-    /// zero in a sub-index.
+    /// Whether `label`, which names this section, is written as the standard allows, apart from the case of letters: no
+    /// blank, no `0x`, no leading zero in a sub-index.
     #[must_use]
     pub fn is_spelled(self, label: &str) -> bool {
-        let canonical = match self {
+        // All that `parse` sees through makes a label longer.
+        let length = match self {
             Self::Unknown => return false,
-            Self::Object(index) => format!("{index:04x}"),
-            Self::Sub(index, sub) => format!("{index:04x}sub{sub:x}"),
-            Self::Name(index) => format!("{index:04x}Name"),
-            Self::Value(index) => format!("{index:04x}Value"),
-            Self::Denotation(index) => format!("{index:04x}Denotation"),
-            Self::ObjectLinks(index) => format!("{index:04x}ObjectLinks"),
-            Self::Tool(number) => format!("Tool{number}"),
-            Self::Module(number, part) => format!("M{number}{}", part.suffix()),
-            Self::DeviceCommissioning => return label.len() == label.trim().len(),
-            _ => {
-                return NAMED
-                    .iter()
-                    .any(|(name, text)| *name == self && text.eq_ignore_ascii_case(label));
-            }
+            Self::Object(_) => 4,
+            Self::Sub(_, sub) => "1018sub".len() + hex_digits(sub),
+            Self::Name(_) => "1018Name".len(),
+            Self::Value(_) => "1018Value".len(),
+            Self::Denotation(_) => "1018Denotation".len(),
+            Self::ObjectLinks(_) => "1018ObjectLinks".len(),
+            Self::Tool(number) => "Tool".len() + decimal_digits(number),
+            Self::Module(number, part) => "M".len() + decimal_digits(number) + part.length(),
+            _ => return label.trim().len() == label.len(),
         };
-        canonical.eq_ignore_ascii_case(label)
+        label.len() == length
     }
 }
 
 impl ModulePart {
-    fn suffix(self) -> String {
+    /// How long its name is, without the module's number.
+    fn length(self) -> usize {
         match self {
-            Self::ModuleInfo => "ModuleInfo".into(),
-            Self::Comments => "Comments".into(),
-            Self::FixedObjects => "FixedObjects".into(),
-            Self::FixedObject(index) => format!("Fixed{index:04x}"),
-            Self::FixedSub(index, sub) => format!("Fixed{index:04x}sub{sub:x}"),
-            Self::SubExtends => "SubExtends".into(),
-            Self::SubExtension(index) => format!("SubExt{index:04x}"),
+            Self::ModuleInfo => "ModuleInfo".len(),
+            Self::Comments => "Comments".len(),
+            Self::FixedObjects => "FixedObjects".len(),
+            Self::FixedObject(_) => "Fixed6000".len(),
+            Self::FixedSub(_, sub) => "Fixed6000sub".len() + hex_digits(sub),
+            Self::SubExtends => "SubExtends".len(),
+            Self::SubExtension(_) => "SubExt6000".len(),
         }
     }
+}
+
+const fn hex_digits(sub: u8) -> usize {
+    if sub < 0x10 { 1 } else { 2 }
+}
+
+fn decimal_digits(number: u16) -> usize {
+    number.checked_ilog10().map_or(1, |log| log as usize + 1)
 }
 
 /// The sections that have one name. Later entries are other spellings.
@@ -179,16 +184,13 @@ fn numbered(label: &str) -> Option<SectionName> {
 
 fn module_part(part: &str) -> Option<ModulePart> {
     let whole = [
-        ModulePart::ModuleInfo,
-        ModulePart::Comments,
-        ModulePart::FixedObjects,
-        ModulePart::SubExtends,
+        ("ModuleInfo", ModulePart::ModuleInfo),
+        ("Comments", ModulePart::Comments),
+        ("FixedObjects", ModulePart::FixedObjects),
+        ("SubExtends", ModulePart::SubExtends),
     ];
-    if let Some(found) = whole
-        .into_iter()
-        .find(|whole| whole.suffix().eq_ignore_ascii_case(part))
-    {
-        return Some(found);
+    if let Some((_, found)) = whole.iter().find(|(name, _)| name.eq_ignore_ascii_case(part)) {
+        return Some(*found);
     }
     if let Some(object_of_module) = after(part, "Fixed") {
         return match object(object_of_module)? {
@@ -234,4 +236,95 @@ fn decimal(text: &str) -> Option<(u16, &str)> {
 fn after<'a>(text: &'a str, word: &str) -> Option<&'a str> {
     let (start, rest) = text.split_at_checked(word.len())?;
     start.eq_ignore_ascii_case(word).then_some(rest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ModulePart;
+    use super::SectionName::{self, *};
+
+    #[test]
+    fn every_section_of_the_standard_is_known_in_any_case() {
+        for (label, name) in [
+            ("FileInfo", FileInfo),
+            ("DEVICEINFO", DeviceInfo),
+            ("Optionalobjects", OptionalObjects),
+            ("DeviceComissioning", DeviceCommissioning),
+            ("DeviceCommissioning", DeviceCommissioning),
+            ("1018", Object(0x1018)),
+            ("1a00", Object(0x1A00)),
+            ("1A00Sub0", Sub(0x1A00, 0)),
+            ("1003subFE", Sub(0x1003, 0xFE)),
+            ("1003subfe", Sub(0x1003, 0xFE)),
+            ("1003Name", Name(0x1003)),
+            ("1003VALUE", Value(0x1003)),
+            ("2100Denotation", Denotation(0x2100)),
+            ("2000ObjectLinks", ObjectLinks(0x2000)),
+            ("Tools", Tools),
+            ("Tool12", Tool(12)),
+            ("DynamicChannels", DynamicChannels),
+            ("SupportedModules", SupportedModules),
+            ("ConnectedModules", ConnectedModules),
+            ("M1ModuleInfo", Module(1, ModulePart::ModuleInfo)),
+            ("M10Comments", Module(10, ModulePart::Comments)),
+            ("M2FixedObjects", Module(2, ModulePart::FixedObjects)),
+            ("M2Fixed6000", Module(2, ModulePart::FixedObject(0x6000))),
+            ("M2Fixed6000sub1A", Module(2, ModulePart::FixedSub(0x6000, 0x1A))),
+            ("M2SubExtends", Module(2, ModulePart::SubExtends)),
+            ("M2SubExt6000", Module(2, ModulePart::SubExtension(0x6000))),
+        ] {
+            assert_eq!(SectionName::parse(label), name, "{label}");
+            assert!(name.is_spelled(label), "{label}");
+        }
+    }
+
+    #[test]
+    fn careless_spellings_are_understood_and_told() {
+        for (label, name) in [
+            ("0x1018", Object(0x1018)),
+            ("0X1018sub1", Sub(0x1018, 1)),
+            ("1018sub01", Sub(0x1018, 1)),
+            ("1018sub0x1", Sub(0x1018, 1)),
+            ("1018 sub 1", Sub(0x1018, 1)),
+            (" 1018", Object(0x1018)),
+            ("1018 Name", Name(0x1018)),
+            ("M01ModuleInfo", Module(1, ModulePart::ModuleInfo)),
+            ("Tool01", Tool(1)),
+            ("FileInfo ", FileInfo),
+        ] {
+            assert_eq!(SectionName::parse(label), name, "{label}");
+            assert!(!name.is_spelled(label), "{label}");
+        }
+    }
+
+    #[test]
+    fn what_only_resembles_a_section_is_unknown() {
+        for label in [
+            "",
+            "ADC",
+            "10188",
+            "1018sub",
+            "1018sub100",
+            "1018subG",
+            "1018sub+1",
+            "+101",
+            "1018Names",
+            "Tool",
+            "ToolInfos",
+            "Tool65536",
+            "M",
+            "MModuleInfo",
+            "M1",
+            "M1Fixed",
+            "M1Fixed6000Name",
+            "Motor",
+            "0x",
+            "0x10000",
+            "é018",
+            "101é",
+            "PreDefines",
+        ] {
+            assert_eq!(SectionName::parse(label), Unknown, "{label}");
+        }
+    }
 }

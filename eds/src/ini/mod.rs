@@ -1,10 +1,78 @@
-//! Lines to sections and pairs of key and value, with their positions.
+//! Lines to headers and pairs, with their positions.
 //!
-//! rust-ini reads; it knows no positions, and stumbles over much that real files hold. So each line is
-//! [classified](classify) first, what rust-ini would misread is kept from it, and what it reads is
-//! [put together](zip) with the positions of the lines.
+//! rust-ini reads the pairs. It knows no positions and stumbles over much that real files hold: a byte order mark, a line
+//! without `=`, a comment that is indented or stands behind a header, a backslash at the end of a line. So each line is
+//! [classified](classify) first; rust-ini is given the pairs alone, [repaired](pairs) where it would misread them, and
+//! what it reads is put together with the lines' positions. Most lines of an EDS occur many times (`ObjectType=0x7`);
+//! rust-ini reads each of them once.
 
 mod classify;
-mod zip;
+mod pairs;
 
-pub(crate) use zip::{IniSection, read};
+pub(crate) use classify::Header;
+
+use crate::source::Source;
+use crate::span::Span;
+use classify::{LineKind, classify, trim};
+use pairs::Pairs;
+
+/// A line that is neither blank nor a comment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Line {
+    /// The header of a section; [`Header::of`] takes it apart.
+    Header(Span),
+    /// A key and its value without the blanks around them.
+    Pair { key: Span, value: Span },
+    /// `=value`
+    MissingKey(Span),
+    /// A line that starts with `#`.
+    HashComment(Span),
+    /// A line that is nothing of that.
+    Junk(Span),
+}
+
+/// Reads the lines of `source`, in order.
+pub(crate) fn read(source: &Source) -> Vec<Line> {
+    let mut pairs = Pairs::new(source.text());
+    let mut lines = Vec::with_capacity(source.line_count() as usize);
+    for whole in source.lines() {
+        let line = source.slice(whole);
+        let text = trim(line);
+        let kind = classify(text);
+        if kind == LineKind::Nothing {
+            continue;
+        }
+        let start = whole.start as usize + leading(line, text);
+        let span = Span::of(start..start + text.len());
+        if kind == LineKind::Pair {
+            pairs.add(span);
+        }
+        lines.push((kind, span));
+    }
+    let mut read = pairs.read();
+    lines
+        .into_iter()
+        .map(|(kind, span)| line(kind, span, &mut read))
+        .collect()
+}
+
+fn line(kind: LineKind, span: Span, pairs: &mut impl Iterator<Item = (Span, Span)>) -> Line {
+    match kind {
+        LineKind::Header => Line::Header(span),
+        LineKind::Pair => pairs
+            .next()
+            .map_or(Line::Junk(span), |(key, value)| Line::Pair { key, value }),
+        LineKind::MissingKey => Line::MissingKey(span),
+        LineKind::HashComment => Line::HashComment(span),
+        LineKind::Nothing | LineKind::Junk => Line::Junk(span),
+    }
+}
+
+/// How many bytes of `line` stand before `text`, which is `line` trimmed.
+fn leading(line: &str, text: &str) -> usize {
+    if line.as_bytes().first() == text.as_bytes().first() {
+        0
+    } else {
+        line.find(text).unwrap_or(0)
+    }
+}

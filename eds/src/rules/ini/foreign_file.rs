@@ -53,8 +53,10 @@ fn words(what: Format) -> (&'static str, &'static str) {
             "export it as EDS from the tool that made it; CANopenEditor reads XDD and writes EDS",
         ),
         Format::PowerlinkXml => ("it is a device description of Ethernet POWERLINK in XML", ASK),
+        Format::Html => ("it is a web page", "the download went wrong: look for the file itself"),
         Format::Xml => ("it is XML", "look for the right file"),
         Format::Odva => ("it is an EDS of EtherNet/IP, DeviceNet or ControlNet", ASK),
+        Format::Ini => ("it has no section that CiA 306-1 knows", "look for the right file"),
         Format::Text => ("it is a text without a section", "look for the right file"),
         Format::TooLarge => ("the file is larger than 1 GiB", "look for the right file"),
     }

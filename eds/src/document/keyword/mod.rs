@@ -1,5 +1,7 @@
 //! The keywords of all sections (CiA 306-1).
 
+mod parse;
+
 /// Declares [`Keyword`] and the spelling of each keyword that carries no number.
 macro_rules! keywords {
     ($($(#[$doc:meta])* $variant:ident = $name:literal,)+) => {
@@ -35,7 +37,28 @@ macro_rules! keywords {
             Unknown,
         }
 
+        /// The keywords that carry no number.
         const PLAIN: &[(Keyword, &str)] = &[$((Keyword::$variant, $name),)+];
+
+        impl Keyword {
+            /// The standard's spelling, without the number of a numbered keyword; empty for [`Keyword::Number`],
+            /// [`Keyword::DataTypeIndex`] and [`Keyword::Unknown`].
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name,)+
+                    Self::Number(_) | Self::DataTypeIndex(_) | Self::Unknown => "",
+                    Self::Line(_) => "Line",
+                    Self::Dummy(_) => "Dummy",
+                    Self::BaudRate(_) => "BaudRate_",
+                    Self::Type(_) => "Type",
+                    Self::Dir(_) => "Dir",
+                    Self::Range(_) => "Range",
+                    Self::PpOffset(_) => "PPOffset",
+                    Self::MaxCnt(_) => "MaxCnt",
+                }
+            }
+        }
     };
 }
 
@@ -193,97 +216,20 @@ keywords! {
 }
 
 impl Keyword {
-    /// The keyword that `key` spells, in any case; [`Keyword::Unknown`] when it is none.
-    #[must_use]
-    pub fn parse(key: &str) -> Self {
-        let (first, last) = match key.as_bytes() {
-            [first, .., last] => (first, last),
-            [only] => (only, only),
-            [] => return Self::Unknown,
-        };
-        if first.is_ascii_digit() {
-            return number(key);
-        }
-        if last.is_ascii_digit() || key.len() == "Dummy0000".len() {
-            numbered(key).unwrap_or_else(|| plain(key))
-        } else {
-            plain(key)
-        }
-    }
-
-    /// The standard's spelling, without the number of a numbered keyword; empty for [`Keyword::Number`],
-    /// [`Keyword::DataTypeIndex`] and [`Keyword::Unknown`].
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Number(_) | Self::DataTypeIndex(_) | Self::Unknown => "",
-            Self::Line(_) => "Line",
-            Self::Dummy(_) => "Dummy",
-            Self::BaudRate(_) => "BaudRate_",
-            Self::Type(_) => "Type",
-            Self::Dir(_) => "Dir",
-            Self::Range(_) => "Range",
-            Self::PpOffset(_) => "PPOffset",
-            Self::MaxCnt(_) => "MaxCnt",
-            plain => PLAIN
-                .iter()
-                .find(|(keyword, _)| *keyword == plain)
-                .map_or("", |(_, name)| name),
-        }
-    }
-
     /// Whether `key` is written as the standard writes this keyword, letter by letter.
     #[must_use]
     pub fn is_spelled(self, key: &str) -> bool {
         match self {
             Self::Unknown => false,
-            Self::DataTypeIndex(index) => key.strip_prefix("0x").is_some_and(|digits| is_hex(digits, index)),
-            Self::Dummy(index) => key.strip_prefix("Dummy").is_some_and(|digits| is_hex(digits, index)),
+            Self::DataTypeIndex(index) => key
+                .strip_prefix("0x")
+                .is_some_and(|digits| digits.len() == 4 && parse::hex(digits) == Some(index)),
+            Self::Dummy(index) => key
+                .strip_prefix("Dummy")
+                .is_some_and(|digits| digits.len() == 4 && parse::hex(digits) == Some(index)),
             _ => key
                 .strip_prefix(self.name())
                 .is_some_and(|digits| !digits.starts_with('0')),
         }
     }
-}
-
-/// `1` or `0x0005`.
-fn number(key: &str) -> Keyword {
-    if let Some(digits) = key.strip_prefix("0x").or_else(|| key.strip_prefix("0X")) {
-        return u16::from_str_radix(digits, 16).map_or(Keyword::Unknown, Keyword::DataTypeIndex);
-    }
-    key.parse().map_or(Keyword::Unknown, Keyword::Number)
-}
-
-/// A word and a number.
-fn numbered(key: &str) -> Option<Keyword> {
-    if let Some(digits) = after(key, "Dummy") {
-        return u16::from_str_radix(digits, 16).ok().map(Keyword::Dummy);
-    }
-    let decimal = |word| after(key, word).filter(|digits| digits.bytes().all(|byte| byte.is_ascii_digit()));
-    let number = |word| decimal(word)?.parse::<u32>().ok();
-    number("Line")
-        .map(Keyword::Line)
-        .or_else(|| decimal("BaudRate_")?.parse().ok().map(Keyword::BaudRate))
-        .or_else(|| number("Type").map(Keyword::Type))
-        .or_else(|| number("Dir").map(Keyword::Dir))
-        .or_else(|| number("Range").map(Keyword::Range))
-        .or_else(|| number("PPOffset").map(Keyword::PpOffset))
-        .or_else(|| number("MaxCnt").map(Keyword::MaxCnt))
-}
-
-/// What follows `word`, which may be in any case.
-fn after<'a>(key: &'a str, word: &str) -> Option<&'a str> {
-    let start = key.get(..word.len())?;
-    start.eq_ignore_ascii_case(word).then(|| &key[word.len()..])
-}
-
-fn is_hex(digits: &str, number: u16) -> bool {
-    digits.len() == 4 && u16::from_str_radix(digits, 16) == Ok(number)
-}
-
-fn plain(key: &str) -> Keyword {
-    PLAIN
-        .iter()
-        .find(|(_, name)| name.eq_ignore_ascii_case(key))
-        .map_or(Keyword::Unknown, |(keyword, _)| *keyword)
 }
