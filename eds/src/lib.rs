@@ -11,12 +11,14 @@ pub mod dump;
 mod ini;
 pub mod ir;
 pub mod literal;
+pub mod model;
 pub mod render;
 pub mod rules;
 pub mod source;
 pub mod span;
 
 use document::Document;
+use model::Eds;
 use source::Source;
 
 /// A file, read from one end to the other.
@@ -24,11 +26,14 @@ use source::Source;
 pub struct Reading {
     /// Its lines, sections and keywords.
     pub document: Document,
+    /// What they say.
+    pub eds: Eds,
 }
 
 /// Reads a file; `name` is what diagnostics call it.
 #[must_use]
 pub fn read(name: impl Into<String>, bytes: Vec<u8>) -> Reading {
     let document = Document::read(Source::decode(name, bytes));
-    Reading { document }
+    let eds = Eds::interpret(&document);
+    Reading { document, eds }
 }

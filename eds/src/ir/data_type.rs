@@ -103,6 +103,12 @@ impl DataType {
         self.name().starts_with("INTEGER")
     }
 
+    /// Whether values of it are smaller and larger than others, so that limits mean something: BOOLEAN, integers, reals.
+    #[must_use]
+    pub fn is_ordered(self) -> bool {
+        self.bits().is_some() && !matches!(self, Self::TimeOfDay | Self::TimeDifference)
+    }
+
     /// Whether it is UNSIGNED8 to UNSIGNED64.
     #[must_use]
     pub fn is_unsigned(self) -> bool {

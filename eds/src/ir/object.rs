@@ -23,6 +23,21 @@ pub enum ObjectCode {
 }
 
 impl ObjectCode {
+    /// The object code with the standard's number; `None` for a number that CiA 301 does not define.
+    #[must_use]
+    pub const fn from_number(number: u8) -> Option<Self> {
+        Some(match number {
+            0 => Self::Null,
+            2 => Self::Domain,
+            5 => Self::DefType,
+            6 => Self::DefStruct,
+            7 => Self::Var,
+            8 => Self::Array,
+            9 => Self::Record,
+            _ => return None,
+        })
+    }
+
     /// The standard's number.
     #[must_use]
     pub const fn number(self) -> u8 {
