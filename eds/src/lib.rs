@@ -18,6 +18,7 @@ pub mod source;
 pub mod span;
 
 use document::Document;
+use ir::Dictionary;
 use model::Eds;
 use source::Source;
 
@@ -28,6 +29,10 @@ pub struct Reading {
     pub document: Document,
     /// What they say.
     pub eds: Eds,
+    /// What the device is.
+    pub dictionary: Dictionary,
+    /// What did not fit together, so that something in the dictionary was made up or left out.
+    pub problems: Vec<ir::Problem>,
 }
 
 /// Reads a file; `name` is what diagnostics call it.
@@ -35,5 +40,11 @@ pub struct Reading {
 pub fn read(name: impl Into<String>, bytes: Vec<u8>) -> Reading {
     let document = Document::read(Source::decode(name, bytes));
     let eds = Eds::interpret(&document);
-    Reading { document, eds }
+    let (dictionary, problems) = Dictionary::lower(&eds);
+    Reading {
+        document,
+        eds,
+        dictionary,
+        problems,
+    }
 }

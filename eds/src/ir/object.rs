@@ -188,3 +188,19 @@ pub struct EntrySpans {
     pub low: Span,
     pub high: Span,
 }
+
+impl EntrySpans {
+    /// All facts of an entry that no section describes, at the place that it follows from.
+    pub(crate) const fn all_at(at: Span) -> Self {
+        Self {
+            section: at,
+            name: at,
+            data_type: at,
+            access: at,
+            pdo_mapping: at,
+            default: at,
+            low: at,
+            high: at,
+        }
+    }
+}
