@@ -7,6 +7,8 @@ use std::fmt;
 pub struct AbortCode(pub u32);
 
 impl AbortCode {
+    /// 0504 0000h: SDO protocol timed out.
+    pub const TIMED_OUT: Self = Self(0x0504_0000);
     /// 0601 0000h: unsupported access to an object.
     pub const UNSUPPORTED_ACCESS: Self = Self(0x0601_0000);
     /// 0601 0001h: attempt to read a write-only object.

@@ -1,6 +1,6 @@
 //! The one table of rules, in the order of their codes. A code that dies is not given again: it moves to [`RETIRED`].
 
-use super::{Rule, ini};
+use super::{Rule, dmp, ini};
 
 /// Rules that look at the same thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,6 +25,10 @@ pub(super) const FAMILIES: &[Family] = &[
         letters: "OBJ",
         title: "the objects: types, access, limits, values",
     },
+    Family {
+        letters: "DMP",
+        title: "a device: what it answers, held against its file",
+    },
 ];
 
 const RULES: &[Rule] = &[
@@ -42,6 +46,26 @@ const RULES: &[Rule] = &[
     Rule::document::<ini::MixedLineEnds>(),
     Rule::document::<ini::HashComment>(),
     Rule::document::<ini::ForeignFile>(),
+    Rule::dump::<dmp::MissingObject>(),
+    Rule::dump::<dmp::UndeclaredObject>(),
+    Rule::dump::<dmp::WrongLength>(),
+    Rule::dump::<dmp::ChangedConstant>(),
+    Rule::dump::<dmp::ChangedDefault>(),
+    Rule::dump::<dmp::ValueBeyondLimits>(),
+    Rule::dump::<dmp::WrongIdentity>(),
+    Rule::dump::<dmp::WrongHighestSubIndex>(),
+    Rule::dump::<dmp::UnreadableObject>(),
+    Rule::dump::<dmp::ReadableWriteOnly>(),
+    Rule::dump::<dmp::SilentObject>(),
+    Rule::dump::<dmp::UnreadObject>(),
+    Rule::dump::<dmp::FailedRead>(),
+    Rule::dump::<dmp::WrongAbortCode>(),
+    Rule::dump::<dmp::UnprintableString>(),
+    Rule::dump::<dmp::WrongSdoCobId>(),
+    Rule::dump::<dmp::CobIdOfAnotherNode>(),
+    Rule::dump::<dmp::MixedDevices>(),
+    Rule::dump::<dmp::UnappliedParameter>(),
+    Rule::dump::<dmp::ImpossibleMapping>(),
 ];
 
 /// Codes of rules that are no more.

@@ -5,6 +5,8 @@ use crate::{
     Reading,
     diagnostic::{Code, Level},
     document::Document,
+    dump::Dump,
+    ir::Dictionary,
 };
 
 /// A rule, as users know it.
@@ -30,6 +32,7 @@ pub(crate) struct Facts {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Check {
     Document(fn(&Document, &mut Report)),
+    Dump(fn(&Dictionary, &Dump, &mut Report)),
 }
 
 /// A type that stands for a rule. Made by [`declare_rule!`](super::declare_rule).
@@ -42,11 +45,23 @@ pub(crate) trait DocumentRule: Declared {
     fn check(document: &Document, report: &mut Report);
 }
 
+/// Looks at what a device answered, and at the dictionary of its file.
+pub(crate) trait DumpRule: Declared {
+    fn check(dictionary: &Dictionary, dump: &Dump, report: &mut Report);
+}
+
 impl Rule {
     pub(super) const fn document<R: DocumentRule>() -> Self {
         Self {
             facts: &R::FACTS,
             check: Check::Document(R::check),
+        }
+    }
+
+    pub(super) const fn dump<R: DumpRule>() -> Self {
+        Self {
+            facts: &R::FACTS,
+            check: Check::Dump(R::check),
         }
     }
 
@@ -95,9 +110,18 @@ impl Rule {
         }
     }
 
-    pub(super) fn run(&self, reading: &Reading, report: &mut Report) {
+    /// Looks at a file; a rule about dumps has nothing to look at.
+    pub(super) fn check(&self, reading: &Reading, report: &mut Report) {
         match self.check {
             Check::Document(check) => check(&reading.document, report),
+            Check::Dump(_) => {}
+        }
+    }
+
+    /// Looks at a dump; a rule about files has nothing to look at.
+    pub(super) fn validate(&self, dictionary: &Dictionary, dump: &Dump, report: &mut Report) {
+        if let Check::Dump(check) = self.check {
+            check(dictionary, dump, report);
         }
     }
 }

@@ -1,0 +1,65 @@
+//! Each rule of family DMP finds what its fixture shows, and nothing in the fixture's cure.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+use lexican_eds::{
+    Reading,
+    diagnostic::{Code, Diagnostic},
+    dump::Dump,
+    render::Renderer,
+    rules::{self, Levels, Rule},
+};
+
+fn fixture(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/rules").join(name)
+}
+
+fn read(name: &str) -> Vec<u8> {
+    let path = fixture(name);
+    fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn validate(reading: &Reading, dump: &str) -> Vec<Diagnostic> {
+    let dump = Dump::from_json(&read(dump)).unwrap_or_else(|error| panic!("{dump}:{error}"));
+    rules::validate(&reading.dictionary, &dump, &Levels::default())
+}
+
+fn codes() -> impl Iterator<Item = &'static str> {
+    let codes = rules::all().iter().map(Rule::code);
+    codes.filter(|code| code.family() == "DMP").map(Code::as_str)
+}
+
+#[test]
+fn each_rule_finds_what_its_fixture_shows_and_nothing_in_the_cure() {
+    for code in codes() {
+        let reading = lexican_eds::read(format!("{code}.eds"), read(&format!("{code}.eds")));
+        let found = validate(&reading, &format!("{code}.json"));
+        let renderer = Renderer::plain();
+        let text: Vec<String> = found
+            .iter()
+            .map(|diagnostic| renderer.render(reading.document.source(), diagnostic))
+            .collect();
+        assert!(!found.is_empty(), "{code} is not found");
+        assert!(
+            found.iter().all(|diagnostic| diagnostic.code.as_str() == code),
+            "{code}: {found:#?}"
+        );
+        assert_eq!(
+            validate(&reading, &format!("{code}.fixed.json")),
+            [],
+            "{code}.fixed.json"
+        );
+        insta::assert_snapshot!(code, text.join("\n"));
+    }
+}
+
+#[test]
+fn the_fixtures_files_are_good_themselves() {
+    for code in codes() {
+        let reading = lexican_eds::read(format!("{code}.eds"), read(&format!("{code}.eds")));
+        assert_eq!(rules::check(&reading, &Levels::default()), [], "{code}.eds");
+    }
+}
