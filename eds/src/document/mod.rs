@@ -1,12 +1,14 @@
 //! A file as sections and entries, each with its place; written back as it was read.
 
 mod duplicates;
+mod edit;
 mod keyword;
 mod problem;
 mod read;
 mod section_name;
 
 pub use crate::source::Format;
+pub use edit::{Edit, EditError};
 pub use keyword::Keyword;
 pub use problem::Problem;
 pub use section_name::{ModulePart, SectionName};

@@ -39,7 +39,7 @@ fn is_header_without_opening(line: &str) -> bool {
 }
 
 /// `line` without the blanks around it, among which NUL and Ctrl-Z count: programs of old fill up a file with them.
-pub(super) fn trim(line: &str) -> &str {
+pub(crate) fn trim(line: &str) -> &str {
     let text = line.trim_end_matches(['\r', '\n']);
     match text.as_bytes() {
         [b'!'..=b'~'] | [b'!'..=b'~', .., b'!'..=b'~'] => text,

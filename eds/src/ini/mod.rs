@@ -9,11 +9,11 @@
 mod classify;
 mod pairs;
 
-pub(crate) use classify::Header;
+pub(crate) use classify::{Header, trim};
 
 use crate::source::Source;
 use crate::span::Span;
-use classify::{LineKind, classify, trim};
+use classify::{LineKind, classify};
 use pairs::Pairs;
 
 /// A line that is neither blank nor a comment.

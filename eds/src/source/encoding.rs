@@ -19,13 +19,14 @@ pub enum Encoding {
 }
 
 impl Encoding {
-    /// The bytes of `character`; `None` when the encoding has none for it.
+    /// What people call it.
     #[must_use]
-    pub fn encode(self, character: char) -> Option<Vec<u8>> {
-        if self == Self::Utf8 {
-            return Some(character.to_string().into_bytes());
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Utf8 => "UTF-8",
+            Self::Windows1252 => "Windows-1252",
+            Self::Cp850 => "CP850",
         }
-        self.encode_byte(character).map(|byte| vec![byte])
     }
 
     /// The character of `byte` in an encoding of single bytes.
@@ -39,7 +40,8 @@ impl Encoding {
         high.copied().unwrap_or(char::from(byte))
     }
 
-    fn encode_byte(self, character: char) -> Option<u8> {
+    /// The byte of `character` in an encoding of single bytes; `None` when it has none.
+    pub(crate) fn encode_byte(self, character: char) -> Option<u8> {
         (0..=u8::MAX).find(|byte| self.decode_byte(*byte) == character)
     }
 }

@@ -87,7 +87,7 @@ impl Source {
     /// Where the text of a line stands, without its line end. Lines count from 1.
     #[must_use]
     pub fn line_span(&self, line: u32) -> Span {
-        let whole = self.lines.span(&self.text, line);
+        let whole = self.whole_line(line);
         let text = self.slice(whole).trim_end_matches(['\r', '\n']);
         Span::of(whole.start as usize..whole.start as usize + text.len())
     }
@@ -95,7 +95,12 @@ impl Source {
     /// What ends a line. Lines count from 1.
     #[must_use]
     pub fn line_end(&self, line: u32) -> LineEnd {
-        LineEnd::of(self.slice(self.lines.span(&self.text, line)))
+        LineEnd::of(self.slice(self.whole_line(line)))
+    }
+
+    /// A line with its line end. Lines count from 1.
+    pub(crate) fn whole_line(&self, line: u32) -> Span {
+        self.lines.span(&self.text, line)
     }
 
     /// The lines, each with its line end.
@@ -148,7 +153,7 @@ impl Source {
 const LIMIT: usize = 1 << 30;
 
 /// U+FEFF in UTF-8.
-const BYTE_ORDER_MARK: [u8; 3] = [0xEF, 0xBB, 0xBF];
+pub(crate) const BYTE_ORDER_MARK: [u8; 3] = [0xEF, 0xBB, 0xBF];
 
 fn strip_byte_order_mark(mut bytes: Vec<u8>) -> (bool, Vec<u8>) {
     let marked = bytes.starts_with(&BYTE_ORDER_MARK);
