@@ -109,6 +109,8 @@ pub struct Diagnostic {
     pub level: Level,
     /// What it is about. [`Span::default`] stands for the file as a whole.
     pub span: Span,
+    /// The header of the section that the place is in, unless the place is on its line.
+    pub section: Option<Span>,
     /// The fact, with the offending value; no full stop at the end.
     pub message: String,
     /// A few words beside the caret.

@@ -84,6 +84,12 @@ impl SectionName {
             .unwrap_or(Self::Unknown)
     }
 
+    /// The standard's names of the sections that a file has once.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        let standard = NAMED.iter().filter(|(_, text)| *text != "DeviceCommissioning");
+        standard.map(|(_, text)| *text)
+    }
+
     /// Whether `label`, which names this section, is written as the standard allows, apart from the case of letters: no
     /// blank, no `0x`, no leading zero in a sub-index.
     #[must_use]

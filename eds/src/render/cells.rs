@@ -63,7 +63,8 @@ pub(super) fn excerpt(line: &str, marked: Range<usize>, columns: usize) -> Excer
 }
 
 /// `text` as it may be printed: on one line, without a character that steers the terminal.
-pub(super) fn printable(text: &str) -> String {
+#[must_use]
+pub fn printable(text: &str) -> String {
     text.chars().map(harmless).collect()
 }
 

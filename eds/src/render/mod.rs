@@ -17,11 +17,12 @@ mod cells;
 mod palette;
 mod snippet;
 
+pub use cells::printable;
+
 use crate::{
     diagnostic::{Diagnostic, Level},
     source::Source,
 };
-use cells::printable;
 use palette::Palette;
 use snippet::Snippet;
 

@@ -33,16 +33,19 @@ struct Mark<'a> {
 enum Kind {
     Primary,
     Related,
+    /// Shown, not underlined.
+    Section,
 }
 
 impl<'a> Snippet<'a> {
-    /// The primary place and the related ones, in the order of the file. Empty for a finding about the file as a whole.
+    /// The header of the section, the primary place and the related ones, in the order of the file. Empty for a finding about the file as a whole.
     pub(super) fn new(source: &'a Source, diagnostic: &'a Diagnostic) -> Self {
         let label = diagnostic.label.as_deref().unwrap_or_default();
         let primary = (!diagnostic.about_file()).then(|| mark(source, diagnostic.span, Kind::Primary, label));
         let related = diagnostic.related.iter();
         let related = related.map(|related| mark(source, related.span, Kind::Related, &related.label));
-        let mut marks: Vec<Mark> = primary.into_iter().chain(related).collect();
+        let section = diagnostic.section.map(|header| mark(source, header, Kind::Section, ""));
+        let mut marks: Vec<Mark> = primary.into_iter().chain(related).chain(section).collect();
         marks.sort_by_key(|mark| mark.number);
         Self {
             level: diagnostic.level,
@@ -88,6 +91,7 @@ impl<'a> Snippet<'a> {
         let (sign, style) = match mark.kind {
             Kind::Primary => ("^", palette.level(self.level).1),
             Kind::Related => ("-", palette.gutter),
+            Kind::Section => return String::new(),
         };
         let (indent, signs) = (excerpt.indent, sign.repeat(excerpt.width));
         let label = printable(mark.label);

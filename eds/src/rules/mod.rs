@@ -14,9 +14,11 @@
 //! `cargo test -p lexican-tests --test rules` then says what is still missing.
 
 mod dmp;
+mod eds;
 mod ini;
 mod levels;
 mod manual;
+mod obj;
 mod quote;
 mod registry;
 mod report;
@@ -30,32 +32,55 @@ pub use rule::Rule;
 use crate::{
     Reading,
     diagnostic::{Diagnostic, Level},
+    document::{Document, Problem},
     dump::Dump,
     ir::Dictionary,
+    span::Span,
 };
 pub(crate) use quote::{quoted, similar};
 pub(crate) use report::Report;
-pub(crate) use rule::{DocumentRule, DumpRule, declare_rule};
+pub(crate) use rule::{DictionaryRule, DocumentRule, DumpRule, ModelRule, ReadingRule, declare_rule};
 
 /// Everything that is wrong with a file, in the order of the file; at one place, in the order of the codes.
 ///
 /// A rule at [`Level::Allow`] is not run.
 #[must_use]
 pub fn check(reading: &Reading, levels: &Levels) -> Vec<Diagnostic> {
-    collect(levels, |rule, report| rule.check(reading, report))
+    let document = &reading.document;
+    // Of a file that is something else it is enough to say so.
+    let foreign = matches!(document.problems(), [Problem::NotCanopen { .. }, ..]);
+    let text = document.source().text();
+    let mut found = collect(text, levels, |rule, report| {
+        if !foreign || rule.is_about_text() {
+            rule.check(reading, report);
+        }
+    });
+    for diagnostic in &mut found {
+        diagnostic.section = section_before(document, diagnostic.span);
+    }
+    found
+}
+
+/// The header of the section that `place` is in, unless it is the header itself or what is around it.
+fn section_before(document: &Document, place: Span) -> Option<Span> {
+    let sections = document.sections();
+    let following = sections.partition_point(|section| section.header.start <= place.start);
+    let header = sections.get(following.checked_sub(1)?)?.header;
+    let lines = document.source();
+    (lines.line_column(header).line != lines.line_column(place).line).then_some(header)
 }
 
 /// Everything in which a device differs from its file, at the places of the file, ordered as by [`check`].
 #[must_use]
 pub fn validate(dictionary: &Dictionary, dump: &Dump, levels: &Levels) -> Vec<Diagnostic> {
-    collect(levels, |rule, report| rule.validate(dictionary, dump, report))
+    collect("", levels, |rule, report| rule.validate(dictionary, dump, report))
 }
 
-fn collect(levels: &Levels, run: impl Fn(&Rule, &mut Report)) -> Vec<Diagnostic> {
+fn collect(text: &str, levels: &Levels, run: impl Fn(&Rule, &mut Report)) -> Vec<Diagnostic> {
     let rules = all().iter().map(|rule| (rule, levels.of(rule)));
     let heard = rules.filter(|(_, level)| *level > Level::Allow);
     let findings = heard.flat_map(|(rule, level)| {
-        let mut report = Report::new(rule.facts, level);
+        let mut report = Report::new(text, rule.facts, level);
         run(rule, &mut report);
         report.into_found()
     });

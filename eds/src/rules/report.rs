@@ -1,6 +1,6 @@
 //! Where a rule puts what it finds.
 
-use super::rule::Facts;
+use super::{quote::quoted, rule::Facts};
 use crate::{
     diagnostic::{Diagnostic, Level},
     span::Span,
@@ -8,16 +8,28 @@ use crate::{
 
 /// Collects the findings of one rule, under its code and level.
 #[derive(Debug)]
-pub(crate) struct Report {
+pub(crate) struct Report<'a> {
+    /// The file's.
+    text: &'a str,
     facts: &'static Facts,
     level: Level,
     found: Vec<Diagnostic>,
 }
 
-impl Report {
-    pub(super) fn new(facts: &'static Facts, level: Level) -> Self {
-        let found = Vec::new();
-        Self { facts, level, found }
+impl<'a> Report<'a> {
+    pub(super) fn new(text: &'a str, facts: &'static Facts, level: Level) -> Self {
+        Self {
+            text,
+            facts,
+            level,
+            found: Vec::new(),
+        }
+    }
+
+    /// The text at `span` for use in a message: in backticks, cut when it is long.
+    pub(crate) fn quote(&self, span: Span) -> String {
+        let text = self.text.get(span.start as usize..span.end as usize);
+        quoted(text.unwrap_or_default())
     }
 
     /// Reports `message` about `span`; [`Span::default`] stands for the file as a whole. The answer takes a label, related places and the cure.
@@ -26,6 +38,7 @@ impl Report {
             code: self.facts.code,
             level: self.level,
             span,
+            section: None,
             message: message.into(),
             label: None,
             related: Vec::new(),

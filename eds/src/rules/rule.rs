@@ -7,6 +7,7 @@ use crate::{
     document::Document,
     dump::Dump,
     ir::Dictionary,
+    model::Eds,
 };
 
 /// A rule, as users know it.
@@ -32,6 +33,9 @@ pub(crate) struct Facts {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Check {
     Document(fn(&Document, &mut Report)),
+    Model(fn(&Eds, &mut Report)),
+    Dictionary(fn(&Dictionary, &mut Report)),
+    Reading(fn(&Reading, &mut Report)),
     Dump(fn(&Dictionary, &Dump, &mut Report)),
 }
 
@@ -45,6 +49,21 @@ pub(crate) trait DocumentRule: Declared {
     fn check(document: &Document, report: &mut Report);
 }
 
+/// Looks at what each keyword says.
+pub(crate) trait ModelRule: Declared {
+    fn check(eds: &Eds, report: &mut Report);
+}
+
+/// Looks at the device that the file describes.
+pub(crate) trait DictionaryRule: Declared {
+    fn check(dictionary: &Dictionary, report: &mut Report);
+}
+
+/// Looks at several of these, or at what did not fit together on the way from one to the next.
+pub(crate) trait ReadingRule: Declared {
+    fn check(reading: &Reading, report: &mut Report);
+}
+
 /// Looks at what a device answered, and at the dictionary of its file.
 pub(crate) trait DumpRule: Declared {
     fn check(dictionary: &Dictionary, dump: &Dump, report: &mut Report);
@@ -55,6 +74,27 @@ impl Rule {
         Self {
             facts: &R::FACTS,
             check: Check::Document(R::check),
+        }
+    }
+
+    pub(super) const fn model<R: ModelRule>() -> Self {
+        Self {
+            facts: &R::FACTS,
+            check: Check::Model(R::check),
+        }
+    }
+
+    pub(super) const fn dictionary<R: DictionaryRule>() -> Self {
+        Self {
+            facts: &R::FACTS,
+            check: Check::Dictionary(R::check),
+        }
+    }
+
+    pub(super) const fn reading<R: ReadingRule>() -> Self {
+        Self {
+            facts: &R::FACTS,
+            check: Check::Reading(R::check),
         }
     }
 
@@ -110,10 +150,18 @@ impl Rule {
         }
     }
 
+    /// Whether it looks at bytes and lines, so that it has something to say of any file.
+    pub(super) fn is_about_text(&self) -> bool {
+        self.code().family() == "INI"
+    }
+
     /// Looks at a file; a rule about dumps has nothing to look at.
     pub(super) fn check(&self, reading: &Reading, report: &mut Report) {
         match self.check {
             Check::Document(check) => check(&reading.document, report),
+            Check::Model(check) => check(&reading.eds, report),
+            Check::Dictionary(check) => check(&reading.dictionary, report),
+            Check::Reading(check) => check(reading, report),
             Check::Dump(_) => {}
         }
     }

@@ -216,6 +216,11 @@ keywords! {
 }
 
 impl Keyword {
+    /// The standard's spelling of every keyword that carries no number.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        PLAIN.iter().map(|(_, name)| *name)
+    }
+
     /// Whether `key` is written as the standard writes this keyword, letter by letter.
     #[must_use]
     pub fn is_spelled(self, key: &str) -> bool {

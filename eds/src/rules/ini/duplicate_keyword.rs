@@ -1,7 +1,7 @@
 use crate::{
     diagnostic::Level,
     document::{Document, Problem},
-    rules::{DocumentRule, Report, declare_rule, quoted},
+    rules::{DocumentRule, Report, declare_rule},
 };
 
 declare_rule! {
@@ -37,10 +37,7 @@ impl DocumentRule for DuplicateKeyword {
         for problem in document.problems() {
             if let Problem::DuplicateKeyword { at, first } = *problem {
                 report
-                    .at(
-                        at,
-                        format!("keyword {} stands twice in this section", quoted(document.text(at))),
-                    )
+                    .at(at, format!("keyword {} stands twice in this section", report.quote(at)))
                     .label("the second")
                     .related(first, "the first; it is the one that counts")
                     .help("remove one of them");

@@ -1,7 +1,7 @@
 use crate::{
     diagnostic::Level,
     document::{Document, Problem},
-    rules::{DocumentRule, Report, declare_rule, quoted},
+    rules::{DocumentRule, Report, declare_rule},
 };
 
 declare_rule! {
@@ -39,10 +39,7 @@ impl DocumentRule for DuplicateSection {
         for problem in document.problems() {
             if let Problem::DuplicateSection { at, first } = *problem {
                 report
-                    .at(
-                        at,
-                        format!("section {} stands here a second time", quoted(document.text(at))),
-                    )
+                    .at(at, format!("section {} stands here a second time", report.quote(at)))
                     .label("the second")
                     .related(first, "the first; it is the one that counts")
                     .help("merge the two into one");

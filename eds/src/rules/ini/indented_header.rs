@@ -1,7 +1,7 @@
 use crate::{
     diagnostic::Level,
     document::{Document, Problem},
-    rules::{DocumentRule, Report, declare_rule, quoted},
+    rules::{DocumentRule, Report, declare_rule},
 };
 
 declare_rule! {
@@ -33,10 +33,7 @@ impl DocumentRule for IndentedHeader {
         for problem in document.problems() {
             if let Problem::IndentedHeader { at } = *problem {
                 report
-                    .at(
-                        at,
-                        format!("header {} does not start in column 1", quoted(document.text(at))),
-                    )
+                    .at(at, format!("header {} does not start in column 1", report.quote(at)))
                     .help("remove the blanks before it");
             }
         }

@@ -1,7 +1,7 @@
 use crate::{
     diagnostic::Level,
     document::{Document, Problem},
-    rules::{DocumentRule, Report, declare_rule, quoted},
+    rules::{DocumentRule, Report, declare_rule},
 };
 
 declare_rule! {
@@ -38,15 +38,12 @@ impl DocumentRule for JunkLine {
             match *problem {
                 Problem::JunkLine { at } => {
                     report
-                        .at(at, format!("line {} has no `=`", quoted(document.text(at))))
+                        .at(at, format!("line {} has no `=`", report.quote(at)))
                         .help("join it to the line that it belongs to, or start it with `;` to make it a comment");
                 }
                 Problem::MissingKeyword { at } => {
                     report
-                        .at(
-                            at,
-                            format!("line {} has no keyword before `=`", quoted(document.text(at))),
-                        )
+                        .at(at, format!("line {} has no keyword before `=`", report.quote(at)))
                         .help("write the keyword, or start the line with `;` to make it a comment");
                 }
                 _ => {}

@@ -1,7 +1,7 @@
 use crate::{
     diagnostic::Level,
     document::{Document, Problem},
-    rules::{DocumentRule, Report, declare_rule, quoted},
+    rules::{DocumentRule, Report, declare_rule},
 };
 
 declare_rule! {
@@ -37,7 +37,7 @@ impl DocumentRule for KeywordOutsideSection {
                 report
                     .at(
                         at,
-                        format!("keyword {} stands before the first section", quoted(document.text(at))),
+                        format!("keyword {} stands before the first section", report.quote(at)),
                     )
                     .help("move it below the header of its section");
             }

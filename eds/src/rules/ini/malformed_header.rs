@@ -1,7 +1,7 @@
 use crate::{
     diagnostic::Level,
     document::{Document, Problem},
-    rules::{DocumentRule, Report, declare_rule, quoted},
+    rules::{DocumentRule, Report, declare_rule},
 };
 
 declare_rule! {
@@ -33,10 +33,7 @@ impl DocumentRule for MalformedHeader {
         for problem in document.problems() {
             if let Problem::MalformedHeader { at } = *problem {
                 report
-                    .at(
-                        at,
-                        format!("header {} has no closing bracket", quoted(document.text(at))),
-                    )
+                    .at(at, format!("header {} has no closing bracket", report.quote(at)))
                     .label("what follows belongs to no section")
                     .help("write `]` behind the section's name");
             }

@@ -1,7 +1,7 @@
 use crate::{
     diagnostic::Level,
     document::{Document, Problem},
-    rules::{DocumentRule, Report, declare_rule, quoted},
+    rules::{DocumentRule, Report, declare_rule},
 };
 
 declare_rule! {
@@ -34,10 +34,7 @@ impl DocumentRule for TextAfterHeader {
         for problem in document.problems() {
             if let Problem::TextAfterHeader { at } = *problem {
                 report
-                    .at(
-                        at,
-                        format!("text {} stands behind the header", quoted(document.text(at))),
-                    )
+                    .at(at, format!("text {} stands behind the header", report.quote(at)))
                     .help("move it to a line of its own that starts with `;`");
             }
         }

@@ -1,7 +1,7 @@
 use crate::{
     diagnostic::Level,
     document::{Document, Problem},
-    rules::{DocumentRule, Report, declare_rule, quoted},
+    rules::{DocumentRule, Report, declare_rule},
     source::Encoding,
 };
 
@@ -42,10 +42,7 @@ impl DocumentRule for TextNotAscii {
                 report
                     .at(
                         at,
-                        format!(
-                            "{} is not ASCII; the line was read as {read_as}",
-                            quoted(document.text(at))
-                        ),
+                        format!("{} is not ASCII; the line was read as {read_as}", report.quote(at)),
                     )
                     .help("write it in ASCII");
             }

@@ -1,0 +1,44 @@
+use crate::{
+    Reading,
+    diagnostic::Level,
+    ir::Problem,
+    rules::{ReadingRule, Report, declare_rule},
+};
+
+declare_rule! {
+    /// ## What it does
+    /// Finds more connected modules than fit: object 1027h lists 254 of them, an object has 254 sub-indices for what they add.
+    ///
+    /// ## Why it matters
+    /// The objects of the modules beyond that are not in the dictionary.
+    ///
+    /// ## Example
+    /// ```ini
+    /// [ConnectedModules]
+    /// NrOfEntries=255
+    /// ```
+    ///
+    /// ## Reference
+    /// CiA 306-1, modular devices; CiA 301, object 1027h
+    pub(crate) CrowdedModules { code: "EDS030", level: Level::Deny, since: "0.1.0" }
+}
+
+impl ReadingRule for CrowdedModules {
+    fn check(reading: &Reading, report: &mut Report) {
+        for problem in &reading.problems {
+            match *problem {
+                Problem::TooManyModules { at } => {
+                    report
+                        .at(at, "more than 254 modules are connected")
+                        .help("connect fewer modules");
+                }
+                Problem::NoRoomForModule { index, at } => {
+                    report
+                        .at(at, format!("the connected modules do not fit into object {index:04X}h"))
+                        .help("connect fewer modules, or let ObjExtend go on in the next object");
+                }
+                _ => {}
+            }
+        }
+    }
+}

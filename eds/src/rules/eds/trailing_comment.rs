@@ -1,0 +1,50 @@
+use crate::{
+    diagnostic::Level,
+    literal::Note,
+    model::{Eds, Problem},
+    rules::{ModelRule, Report, declare_rule},
+};
+
+declare_rule! {
+    /// ## What it does
+    /// Finds comments behind a value on the same line.
+    ///
+    /// ## Why it matters
+    /// A comment has a line of its own in an EDS. Readers take it for a part of the value, and then cannot read the value.
+    ///
+    /// ## Example
+    /// ```ini
+    /// [1017]
+    /// DataType=0x0006 ; UNSIGNED16
+    /// ```
+    ///
+    /// Use instead:
+    /// ```ini
+    /// [1017]
+    /// ; UNSIGNED16
+    /// DataType=0x0006
+    /// ```
+    ///
+    /// ## Reference
+    /// CiA 306-1, format of the file: comments
+    pub(crate) TrailingComment { code: "EDS025", level: Level::Warn, since: "0.1.0" }
+}
+
+impl ModelRule for TrailingComment {
+    fn check(eds: &Eds, report: &mut Report) {
+        for problem in eds.problems() {
+            if let Problem::Unusual {
+                keyword,
+                note: Note::TrailingComment,
+                at,
+                ..
+            } = *problem
+            {
+                let (keyword, value) = (keyword.name(), report.quote(at));
+                report
+                    .at(at, format!("{keyword} {value} has a comment behind its value"))
+                    .help("move it to a line of its own that starts with `;`");
+            }
+        }
+    }
+}

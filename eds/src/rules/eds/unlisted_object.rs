@@ -1,0 +1,52 @@
+use crate::{
+    Reading,
+    diagnostic::Level,
+    ir::{ObjectList, Problem},
+    rules::{ReadingRule, Report, declare_rule},
+};
+
+declare_rule! {
+    /// ## What it does
+    /// Finds objects that have a section but stand in none of the lists `[MandatoryObjects]`, `[OptionalObjects]` and
+    /// `[ManufacturerObjects]`.
+    ///
+    /// ## Why it matters
+    /// Readers that go by the lists do not see the object, readers that go by the sections do: a master and a generator build two
+    /// different devices from one file.
+    ///
+    /// ## Example
+    /// ```ini
+    /// [OptionalObjects]
+    /// SupportedObjects=0
+    ///
+    /// [1017]
+    /// ParameterName=Producer heartbeat time
+    /// ```
+    ///
+    /// Use instead:
+    /// ```ini
+    /// [OptionalObjects]
+    /// SupportedObjects=1
+    /// 1=0x1017
+    ///
+    /// [1017]
+    /// ParameterName=Producer heartbeat time
+    /// ```
+    ///
+    /// ## Reference
+    /// CiA 306-1, object lists
+    pub(crate) UnlistedObject { code: "EDS006", level: Level::Warn, since: "0.1.0" }
+}
+
+impl ReadingRule for UnlistedObject {
+    fn check(reading: &Reading, report: &mut Report) {
+        for problem in &reading.problems {
+            if let Problem::UnlistedObject { index, at } = *problem {
+                let list = ObjectList::of(index).section();
+                report
+                    .at(at, format!("object {index:04X}h stands in no list"))
+                    .help(format!("add it to [{list}]"));
+            }
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! The objects: types, access, limits, values.
+
+mod default_beyond_limits;
+mod domain_value;
+mod empty_structure;
+mod foreign_data_type;
+mod inverted_limits;
+mod letter_case;
+mod limit_of_wrong_type;
+mod misplaced_attribute;
+mod missing_sub_index_zero;
+mod node_id_spelling;
+mod octal_value;
+mod real_as_bits;
+mod sub_objects_of_single_value;
+mod too_many_sub_objects;
+mod twos_complement;
+mod unknown_access_type;
+mod unknown_data_type;
+mod unknown_object_type;
+mod unordered_limit;
+mod value_of_wrong_type;
+mod wide_hex;
+mod words;
+
+pub(super) use default_beyond_limits::DefaultBeyondLimits;
+pub(super) use domain_value::DomainValue;
+pub(super) use empty_structure::EmptyStructure;
+pub(super) use foreign_data_type::ForeignDataType;
+pub(super) use inverted_limits::InvertedLimits;
+pub(super) use letter_case::LetterCase;
+pub(super) use limit_of_wrong_type::LimitOfWrongType;
+pub(super) use misplaced_attribute::MisplacedAttribute;
+pub(super) use missing_sub_index_zero::MissingSubIndexZero;
+pub(super) use node_id_spelling::NodeIdSpelling;
+pub(super) use octal_value::OctalValue;
+pub(super) use real_as_bits::RealAsBits;
+pub(super) use sub_objects_of_single_value::SubObjectsOfSingleValue;
+pub(super) use too_many_sub_objects::TooManySubObjects;
+pub(super) use twos_complement::TwosComplement;
+pub(super) use unknown_access_type::UnknownAccessType;
+pub(super) use unknown_data_type::UnknownDataType;
+pub(super) use unknown_object_type::UnknownObjectType;
+pub(super) use unordered_limit::UnorderedLimit;
+pub(super) use value_of_wrong_type::ValueOfWrongType;
+pub(super) use wide_hex::WideHex;

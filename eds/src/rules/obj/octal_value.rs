@@ -1,0 +1,58 @@
+use super::words::value_name;
+
+use crate::{
+    diagnostic::Level,
+    literal::{Fault, Note},
+    model::{Eds, Expected, Problem},
+    rules::{ModelRule, Report, declare_rule},
+};
+
+declare_rule! {
+    /// ## What it does
+    /// Finds values and limits with a leading zero where it matters: as the standard has it, a leading zero makes a number octal.
+    ///
+    /// ## Why it matters
+    /// `010` is 8 for one reader and 10 for another. `08` and `09` are no octal numbers at all.
+    ///
+    /// ## Example
+    /// ```ini
+    /// [1017]
+    /// DataType=0x0006
+    /// DefaultValue=0100
+    /// ```
+    ///
+    /// Use instead:
+    /// ```ini
+    /// [1017]
+    /// DataType=0x0006
+    /// DefaultValue=100
+    /// ```
+    ///
+    /// ## Reference
+    /// CiA 306-1, format of the file: numbers; CANchkEDS V21
+    pub(crate) OctalValue { code: "OBJ021", level: Level::Deny, since: "0.1.0" }
+}
+
+impl ModelRule for OctalValue {
+    fn check(eds: &Eds, report: &mut Report) {
+        for problem in eds.problems() {
+            let fact = match *problem {
+                Problem::Unusual {
+                    expected: Expected::Value(_),
+                    note: Note::Octal,
+                    ..
+                } => "is octal, because it starts with 0",
+                Problem::Unreadable {
+                    expected: Expected::Value(_),
+                    fault: Fault::NotOctal,
+                    ..
+                } => "starts with 0, but is no octal number",
+                _ => continue,
+            };
+            let (keyword, value) = (value_name(problem.keyword()), report.quote(problem.span()));
+            report
+                .at(problem.span(), format!("{keyword} {value} {fact}"))
+                .help("leave out the leading zero, or write the number in hex");
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! What rules about values say alike.
+
+use crate::{
+    document::Keyword,
+    ir::DataType,
+    literal::{Fault, Note},
+    model::{Eds, Problem},
+    span::Span,
+};
+
+/// Data types from here on are the vendor's or a profile's (CiA 301, data types).
+pub(super) const FIRST_OF_VENDORS: u16 = 0x40;
+
+/// The keyword, for a message; a line of the compact form has a number in place of one.
+pub(super) const fn value_name(keyword: Keyword) -> &'static str {
+    match keyword {
+        Keyword::Number(_) => "value",
+        keyword => keyword.name(),
+    }
+}
+
+/// The values that are written in the way of `note`: keyword and place.
+pub(super) fn unusual(eds: &Eds, note: Note) -> impl Iterator<Item = (&'static str, Span)> {
+    eds.problems().iter().filter_map(move |problem| match *problem {
+        Problem::Unusual {
+            keyword,
+            note: found,
+            at,
+            ..
+        } if found == note => Some((value_name(keyword), at)),
+        _ => None,
+    })
+}
+
+/// What a finding that stands for several says at the end.
+pub(super) fn more(number: usize) -> String {
+    match number {
+        0 => String::new(),
+        number => format!(
+            ", and so {} more",
+            if number == 1 {
+                "is one".into()
+            } else {
+                format!("are {number}")
+            }
+        ),
+    }
+}
+
+/// Why a text is no value of `data_type`, and what to write.
+pub(super) fn unreadable(fault: Fault, data_type: DataType) -> (String, String) {
+    let name = data_type.name();
+    let (fact, cure) = match fault {
+        Fault::OutOfRange => (format!("is out of the range of {name}"), range(data_type)),
+        Fault::UnknownVariable => ("names a variable other than $NODEID".into(), "write `$NODEID`".into()),
+        Fault::MisplacedFormula => (
+            format!("is a formula, but the value is {name}"),
+            "write a value without $NODEID".into(),
+        ),
+        Fault::AmbiguousReal => (
+            format!("is hex, but has not all digits of {name}: is it a value, or are these bits?"),
+            "write it in decimal, such as 1.5".into(),
+        ),
+        _ => (format!("cannot be read as {name}"), form(data_type)),
+    };
+    (fact, cure)
+}
+
+/// How to write a value.
+fn form(data_type: DataType) -> String {
+    match data_type {
+        DataType::Boolean => "write 0 or 1",
+        DataType::Real32 | DataType::Real64 => "write a decimal number, such as 1.5",
+        DataType::OctetString | DataType::Domain => "write pairs of hex digits, such as 01FF",
+        DataType::TimeOfDay | DataType::TimeDifference => "write days and milliseconds, such as `365 43200000`",
+        _ => "write a number, such as 16 or 0x10",
+    }
+    .into()
+}
+
+fn range(data_type: DataType) -> String {
+    let bits = u32::from(data_type.bits().unwrap_or(64));
+    let (low, high) = if data_type.is_signed() {
+        (-(1_i128 << (bits - 1)), (1_i128 << (bits - 1)) - 1)
+    } else {
+        (0, (1_i128 << bits) - 1)
+    };
+    format!("write a value from {low} to {high}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_range_is_that_of_the_type() {
+        assert_eq!(range(DataType::Integer8), "write a value from -128 to 127");
+        assert_eq!(
+            range(DataType::Unsigned64),
+            "write a value from 0 to 18446744073709551615"
+        );
+        assert_eq!(range(DataType::Boolean), "write a value from 0 to 1");
+    }
+}
