@@ -1,3 +1,85 @@
-//! The `lexican` command.
+//! The `lexican` command: arguments, files and the terminal. What it says comes from the library crates.
+//!
+//! | module | does |
+//! |---|---|
+//! | `commands` | one subcommand a file: its arguments and what it does with them |
+//! | `format` | one output format of `check` a file |
+//! | `input`, `output` | the only reading and writing of files and streams |
+//! | `failure` | why a command could not run, in one line |
 
-fn main() {}
+mod commands;
+mod failure;
+mod format;
+mod input;
+mod output;
+
+use std::{io::Write as _, process::ExitCode};
+
+use clap::{Parser, ValueEnum};
+
+use commands::Command;
+
+/// The object dictionary compiler for CANopen
+///
+/// Checks EDS and DCF files against the CiA standards and generates Rust from them.
+#[derive(Parser)]
+#[command(version, max_term_width = 100, infer_subcommands = false)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+
+    /// When to colour the output; `auto` asks the terminal and NO_COLOR
+    #[arg(long, value_enum, value_name = "WHEN", default_value_t, global = true)]
+    color: Color,
+}
+
+#[derive(Clone, Copy, Default, ValueEnum)]
+enum Color {
+    #[default]
+    Auto,
+    Always,
+    Never,
+}
+
+/// What a command came to. A failure to run ends with 2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Verdict {
+    /// 0
+    Clean,
+    /// 1: there are findings at deny.
+    Findings,
+    /// 2: a part of the work could not be done, and stderr says which.
+    Incomplete,
+}
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    arguments.color.choose();
+    match arguments.command.run() {
+        Ok(verdict) => ExitCode::from(verdict as u8),
+        Err(failure) => {
+            failure.print();
+            ExitCode::from(Verdict::Incomplete as u8)
+        }
+    }
+}
+
+impl Color {
+    /// Sets what [`anstream`] does with the escape sequences that are written to it.
+    fn choose(self) {
+        match self {
+            Self::Auto => anstream::ColorChoice::Auto,
+            Self::Always => anstream::ColorChoice::Always,
+            Self::Never => anstream::ColorChoice::Never,
+        }
+        .write_global();
+    }
+}
+
+impl failure::Failure {
+    /// Nobody is left to hear of it when stderr is gone.
+    fn print(&self) {
+        let style = anstyle::AnsiColor::BrightRed.on_default().bold();
+        let _ = writeln!(anstream::stderr(), "{style}error{style:#}: {self}");
+    }
+}

@@ -1,0 +1,68 @@
+//! `lexican check`: files held against the rules.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use lexican_eds::rules::{self, LevelChange, Levels};
+
+use crate::{
+    Verdict,
+    failure::Failure,
+    format::{Checked, Format, Report},
+    input::{self, Input},
+};
+
+/// Check EDS and DCF files against the standard
+///
+/// Reports each finding with its place, its rule and the cure. Ends with 0 when nothing is found at level deny, with 1
+/// when something is, with 2 when a file cannot be read.
+#[derive(Args)]
+pub(crate) struct Check {
+    /// Files, directories with .eds and .dcf files in them, or `-` for standard input
+    #[arg(required = true, value_name = "FILE|DIR")]
+    paths: Vec<PathBuf>,
+
+    /// How to print the findings
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+
+    /// Change the level of a rule or a family to allow, note, warn or deny: EDS004=warn, INI=allow; may be repeated
+    #[arg(long = "level", value_name = "CODE=LEVEL")]
+    levels: Vec<String>,
+}
+
+impl Check {
+    pub(crate) fn run(self) -> Result<Verdict, Failure> {
+        let levels = levels(&self.levels)?;
+        let mut report = Report::default();
+        for path in &self.paths {
+            match input::expand(path) {
+                Ok(inputs) => inputs.iter().for_each(|input| check(input, &levels, &mut report)),
+                Err(failure) => report.failures.push(failure),
+            }
+        }
+        self.format.print(&report)?;
+        Ok(report.verdict())
+    }
+}
+
+fn check(input: &Input, levels: &Levels, report: &mut Report) {
+    match input.read() {
+        Ok(bytes) => {
+            let reading = lexican_eds::read(input.name(), bytes);
+            report.checked.push(Checked {
+                diagnostics: rules::check(&reading, levels),
+                document: reading.document,
+            });
+        }
+        Err(failure) => report.failures.push(failure),
+    }
+}
+
+fn levels(changes: &[String]) -> Result<Levels, Failure> {
+    changes.iter().try_fold(Levels::default(), |levels, change| {
+        let parsed: Result<LevelChange, _> = change.parse();
+        let change = parsed.map_err(|error| Failure::new(format!("--level {change}: {error}")))?;
+        Ok(levels.with(change))
+    })
+}
