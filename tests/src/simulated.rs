@@ -79,9 +79,9 @@ impl Simulated {
     /// Finds the seeds of a perfect hash: for the fullest bucket first the least seed that puts all its entries on free
     /// places.
     fn place(&mut self, entries: &[Entry]) {
-        let places = entries.len() + entries.len() / 8 + 1;
+        let places = entries.len() + entries.len() / 32 + 1;
         self.places = vec![Entry::EMPTY; places];
-        self.seeds = vec![0; entries.len() / 4 + 1];
+        self.seeds = vec![0; entries.len() / 3 + 1];
         let mut buckets: Vec<Vec<Entry>> = vec![Vec::new(); self.seeds.len()];
         for entry in entries {
             buckets[bucket_of(entry.address(), self.seeds.len())].push(*entry);

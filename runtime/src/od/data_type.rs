@@ -63,6 +63,12 @@ const LENGTHS: [u8; 32] = [
     3, 8, 5, 6, 7, 8, 3, 0, 5, 6, 7, 8, 0, 0, 0, 0, // up to 001Fh
 ];
 
+/// Bytes in the dictionary's struct of each type by its number.
+const WIDTHS: [u8; 32] = [
+    0, 1, 1, 2, 4, 1, 2, 4, 4, 0, 0, 0, 6, 6, 0, 0, // up to 000Fh
+    4, 8, 8, 8, 8, 8, 4, 0, 8, 8, 8, 8, 0, 0, 0, 0, // up to 001Fh
+];
+
 impl DataType {
     /// Bytes that a value has on the bus, 1 to 8; 0 for a type without a fixed length (strings, DOMAIN).
     #[inline]
@@ -76,16 +82,7 @@ impl DataType {
     #[inline]
     #[must_use]
     pub const fn width(self) -> usize {
-        match self {
-            Self::INTEGER24 | Self::UNSIGNED24 => 4,
-            Self::INTEGER40
-            | Self::INTEGER48
-            | Self::INTEGER56
-            | Self::UNSIGNED40
-            | Self::UNSIGNED48
-            | Self::UNSIGNED56 => 8,
-            _ => self.length(),
-        }
+        WIDTHS[(self.0 & 0x1F) as usize] as usize
     }
 
     /// Whether it is INTEGER8 to INTEGER64.

@@ -1,4 +1,9 @@
 //! The table of entries, found by a perfect hash: the same few instructions for ten objects and for ten thousand.
+//!
+//! The hash is "hash and displace": an address falls into a bucket, the bucket's seed says on which place. A generator
+//! looks for the seeds, the fullest bucket first, and each the least with which all entries of the bucket fall on places
+//! that are still free. With a third as many seeds as entries, and a place in 32 left empty, that takes a few thousand
+//! tries for any bucket, of 100 entries or of 10,000, and the whole costs 8.9 bytes an entry.
 
 use super::{Access, Entry, Extra};
 use crate::Address;

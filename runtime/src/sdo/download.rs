@@ -8,7 +8,6 @@
 //!             19 68 69 6A ‥ ‥ ‥ ‥ ─▶         ◀─ 30 00 00 00 00 00 00 00     bit 4 toggles, bit 0: the last
 //! ```
 
-use super::server::{refuse, State, Step};
 use crate::{
     od::{self, Device, Entry, Services},
     wire::sdo::{Expedited, Response, Segment},
@@ -35,10 +34,10 @@ pub(super) fn expedited<D: Device>(
     services: &mut impl Services,
     address: Address,
     value: Expedited,
-) -> Response {
+) -> [u8; 8] {
     match write(device, services, address, value) {
-        Ok(()) => Response::DownloadInitiate { address },
-        Err(code) => Response::Abort { address, code },
+        Ok(()) => Response::DownloadInitiate { address }.emit(),
+        Err(code) => Response::Abort { address, code }.emit(),
     }
 }
 
@@ -65,16 +64,14 @@ fn write<D: Device>(
     od::store_number(device, services, entry, u64::from(value.bits))
 }
 
-/// Segments will follow.
-pub(super) fn initiate<D: Device>(device: &D, buffer: usize, address: Address, size: Option<u32>) -> Step {
-    match Download::new(device, buffer, address, size) {
-        Ok(download) => (State::Download(download), Response::DownloadInitiate { address }),
-        Err(code) => refuse(address, code),
-    }
-}
-
 impl Download {
-    fn new<D: Device>(device: &D, buffer: usize, address: Address, size: Option<u32>) -> Result<Self, AbortCode> {
+    /// Takes `20` or `21`: segments will follow, into a buffer of `buffer` bytes.
+    pub(super) fn new<D: Device>(
+        device: &D,
+        buffer: usize,
+        address: Address,
+        size: Option<u32>,
+    ) -> Result<Self, AbortCode> {
         let entry = od::writable(device, address)?;
         let promised = size.map(|size| usize::try_from(size).unwrap_or(usize::MAX));
         if let Some(promised) = promised {
@@ -96,43 +93,33 @@ impl Download {
         self.entry.address()
     }
 
-    /// State `Download`: takes `0x` or `1x`, answers `20` or `30`; after the last segment the value is stored.
+    /// State `Download`: takes `0x` or `1x`; after the last segment the value is stored.
     pub(super) fn segment<D: Device>(
-        mut self,
+        &mut self,
         device: &mut D,
         services: &mut impl Services,
         buffer: &mut [u8],
         segment: Segment,
-    ) -> Step {
-        let toggle = self.toggle;
-        let taken = self.take(buffer, segment);
-        let stored = match taken {
-            Ok(()) if segment.last => self.store(device, services, buffer),
-            taken => taken,
-        };
-        let next = if segment.last {
-            State::Idle
-        } else {
-            State::Download(self)
-        };
-        match stored {
-            Ok(()) => (next, Response::DownloadSegment { toggle }),
-            Err(code) => refuse(self.address(), code),
+    ) -> Result<(), AbortCode> {
+        if segment.toggle != self.toggle {
+            return Err(AbortCode::TOGGLE_NOT_ALTERNATED);
         }
+        self.take(buffer, segment)?;
+        if segment.last {
+            self.store(device, services, buffer)?;
+        }
+        Ok(())
     }
 
     /// Puts the segment's bytes behind those before them.
     fn take(&mut self, buffer: &mut [u8], segment: Segment) -> Result<(), AbortCode> {
-        if segment.toggle != self.toggle {
-            return Err(AbortCode::TOGGLE_NOT_ALTERNATED);
-        }
         let bytes = segment.bytes();
         let end = self.received + bytes.len();
         if end > self.promised.unwrap_or(self.room) {
             return Err(AbortCode::TOO_LONG);
         }
         let room = buffer.get_mut(self.received..end).ok_or(AbortCode::OUT_OF_MEMORY)?;
-        room.copy_from_slice(bytes);
+        room.iter_mut().zip(bytes).for_each(|(to, from)| *to = *from);
         self.received = end;
         self.toggle = !self.toggle;
         Ok(())

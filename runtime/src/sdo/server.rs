@@ -2,11 +2,11 @@
 
 use super::{
     download::{self, Download},
-    upload::{self, Upload},
+    upload::{self, Begun, Upload},
 };
 use crate::{
     od::{Device, Services},
-    wire::sdo::{Request, Response},
+    wire::sdo::{Request, Response, Segment},
     AbortCode, Address, Instant,
 };
 
@@ -24,9 +24,9 @@ pub struct Server<B> {
     timeout_ms: u32,
 }
 
-/// Which transfer is open. Each state has one function, which takes a request and gives the next state.
+/// Which transfer is open. Each state has one function, which takes a request and says whether the transfer goes on.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum State {
+enum State {
     /// None: awaits `40` (upload) or `2x` (download).
     Idle,
     /// Segments are coming in: awaits `0x` or `1x`.
@@ -34,9 +34,6 @@ pub(super) enum State {
     /// Segments are asked for: awaits `60` or `70`.
     Upload(Upload),
 }
-
-/// The next state, and what to answer.
-pub(super) type Step = (State, Response);
 
 impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
     /// A server without a transfer, which collects values in `buffer`.
@@ -63,19 +60,22 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
         services: &mut impl Services,
         bytes: [u8; 8],
     ) -> Option<[u8; 8]> {
-        let (state, response) = match Request::parse(bytes) {
-            Request::UploadInitiate { address } => upload::initiate(device, self.buffer.as_mut(), address),
+        let response = match Request::parse(bytes) {
+            Request::UploadInitiate { address } => self.upload(now, device, address),
             Request::DownloadExpedited { address, value } => {
-                (State::Idle, download::expedited(device, services, address, value))
+                self.reset();
+                download::expedited(device, services, address, value)
             }
+            Request::DownloadSegment(segment) => self.download_segment(now, device, services, segment),
+            Request::UploadSegment { toggle } => self.upload_segment(now, device, toggle),
+            Request::DownloadInitiate { address, size } => self.download(now, device, address, size),
+            Request::Unknown { address } => self.refuse(address, AbortCode::UNKNOWN_COMMAND),
             Request::Abort { .. } => {
                 self.reset();
                 return None;
             }
-            request => self.continue_transfer(device, services, request),
         };
-        self.enter(now, state);
-        Some(response.emit())
+        Some(response)
     }
 
     /// Gives the transfer up if it has been left open for too long: then there is an abort message to send.
@@ -83,10 +83,7 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
         if now < self.due {
             return None;
         }
-        let address = self.address();
-        self.reset();
-        let code = AbortCode::TIMED_OUT;
-        Some(Response::Abort { address, code }.emit())
+        Some(self.refuse(self.address(), AbortCode::TIMED_OUT))
     }
 
     /// When [`Server::expire`] has something to do; [`Instant::NEVER`] without a transfer.
@@ -102,42 +99,97 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
         self.due = Instant::NEVER;
     }
 
-    /// What is rarer than an expedited transfer.
-    fn continue_transfer<D: Device>(&mut self, device: &mut D, services: &mut impl Services, request: Request) -> Step {
-        match (self.state, request) {
-            (_, Request::DownloadInitiate { address, size }) => {
-                download::initiate(device, self.buffer.as_ref().len(), address, size)
+    /// `40`: from any state to `Idle` with the value, or to `Upload`.
+    #[inline]
+    fn upload<D: Device>(&mut self, now: Instant, device: &mut D, address: Address) -> [u8; 8] {
+        match upload::initiate(device, self.buffer.as_mut(), address) {
+            Ok(Begun::Complete(value)) => {
+                self.reset();
+                Response::UploadExpedited { address, value }.emit()
             }
-            (State::Download(download), Request::DownloadSegment(segment)) => {
-                download.segment(device, services, self.buffer.as_mut(), segment)
+            Ok(Begun::Segmented(upload)) => {
+                self.enter(now, State::Upload(upload));
+                let size = upload.size();
+                Response::UploadInitiate { address, size }.emit()
             }
-            (State::Upload(upload), Request::UploadSegment { toggle }) => {
-                upload.segment(device, self.buffer.as_ref(), toggle)
-            }
-            (_, Request::Unknown { address }) => refuse(address, AbortCode::UNKNOWN_COMMAND),
-            _ => refuse(self.address(), AbortCode::UNKNOWN_COMMAND),
+            Err(code) => self.refuse(address, code),
         }
     }
 
-    fn enter(&mut self, now: Instant, state: State) {
-        self.due = match state {
-            State::Idle => Instant::NEVER,
-            State::Download(_) | State::Upload(_) => now.plus_millis(self.timeout_ms),
+    /// `60` or `70`: stays in `Upload` until the last segment.
+    fn upload_segment<D: Device>(&mut self, now: Instant, device: &D, toggle: bool) -> [u8; 8] {
+        let State::Upload(upload) = &mut self.state else {
+            return self.refuse(self.address(), AbortCode::UNKNOWN_COMMAND);
         };
-        self.state = state;
+        match upload.segment(device, self.buffer.as_ref(), toggle) {
+            Ok(segment) => {
+                self.proceed(now, segment.last);
+                Response::UploadSegment(segment).emit()
+            }
+            Err(code) => self.refuse(self.address(), code),
+        }
     }
 
-    /// What the open transfer is about.
+    /// `20` or `21`: from any state to `Download`.
+    fn download<D: Device>(&mut self, now: Instant, device: &D, address: Address, size: Option<u32>) -> [u8; 8] {
+        match Download::new(device, self.buffer.as_ref().len(), address, size) {
+            Ok(download) => {
+                self.enter(now, State::Download(download));
+                Response::DownloadInitiate { address }.emit()
+            }
+            Err(code) => self.refuse(address, code),
+        }
+    }
+
+    /// `0x` or `1x`: stays in `Download` until the last segment.
+    fn download_segment<D: Device>(
+        &mut self,
+        now: Instant,
+        device: &mut D,
+        services: &mut impl Services,
+        segment: Segment,
+    ) -> [u8; 8] {
+        let State::Download(download) = &mut self.state else {
+            return self.refuse(self.address(), AbortCode::UNKNOWN_COMMAND);
+        };
+        match download.segment(device, services, self.buffer.as_mut(), segment) {
+            Ok(()) => {
+                self.proceed(now, segment.last);
+                let toggle = segment.toggle;
+                Response::DownloadSegment { toggle }.emit()
+            }
+            Err(code) => self.refuse(self.address(), code),
+        }
+    }
+
+    /// Opens a transfer.
+    fn enter(&mut self, now: Instant, state: State) {
+        self.state = state;
+        self.due = now.plus_millis(self.timeout_ms);
+    }
+
+    /// Leaves the transfer open, or ends it with its last segment.
+    fn proceed(&mut self, now: Instant, last: bool) {
+        if last {
+            self.reset();
+        } else {
+            self.due = now.plus_millis(self.timeout_ms);
+        }
+    }
+
+    /// Ends the transfer with an abort message.
+    #[cold]
+    fn refuse(&mut self, address: Address, code: AbortCode) -> [u8; 8] {
+        self.reset();
+        Response::Abort { address, code }.emit()
+    }
+
+    /// What the open transfer is about; 0000h:00 without one.
     fn address(&self) -> Address {
-        match self.state {
+        match &self.state {
             State::Idle => Address::new(0, 0),
             State::Download(download) => download.address(),
             State::Upload(upload) => upload.address(),
         }
     }
-}
-
-/// Ends the transfer with an abort message.
-pub(super) fn refuse(address: Address, code: AbortCode) -> Step {
-    (State::Idle, Response::Abort { address, code })
 }

@@ -7,10 +7,9 @@
 //!             70 00 00 00 00 00 00 00 ─▶     ◀─ 19 68 69 6A 00 00 00 00     bit 4 toggles, bit 0: the last
 //! ```
 
-use super::server::{refuse, State, Step};
 use crate::{
     od::{self, Access, DataType, Device, Entry, Value},
-    wire::sdo::{Expedited, Response, Segment},
+    wire::sdo::{Expedited, Segment},
     AbortCode, Address,
 };
 
@@ -24,39 +23,37 @@ pub(super) struct Upload {
     toggle: bool,
 }
 
-/// State `Idle`: takes `40`, answers with the value itself, or with its length and goes on in state `Upload`.
-#[inline]
-pub(super) fn initiate<D: Device>(device: &mut D, buffer: &mut [u8], address: Address) -> Step {
-    match begin(device, buffer, address) {
-        Ok(step) => step,
-        Err(code) => refuse(address, code),
-    }
+/// How an upload begins.
+pub(super) enum Begun {
+    /// The value fits into the response, and that is all.
+    Complete(Expedited),
+    /// The value will be asked for in segments.
+    Segmented(Upload),
 }
 
+/// Takes `40`: gives the value itself, or a snapshot of it that is uploaded in segments.
 #[inline]
-fn begin<D: Device>(device: &mut D, buffer: &mut [u8], address: Address) -> Result<Step, AbortCode> {
+pub(super) fn initiate<D: Device>(device: &mut D, buffer: &mut [u8], address: Address) -> Result<Begun, AbortCode> {
     let entry = od::readable(device, address)?;
     match od::load(device, entry)? {
-        Value::Number { bits, data_type } if data_type.length() <= 4 => Ok(expedited(address, bits, data_type)),
-        value => segmented(entry, buffer, value),
+        Value::Number { bits, data_type } if data_type.length() <= 4 => Ok(Begun::Complete(expedited(bits, data_type))),
+        value => long(entry, buffer, value),
     }
 }
 
-/// The value fits into the response.
+/// A number of one to four bytes.
 #[inline]
 #[allow(clippy::cast_possible_truncation)] // The length is 1 to 4.
-fn expedited(address: Address, bits: u64, data_type: DataType) -> Step {
+fn expedited(bits: u64, data_type: DataType) -> Expedited {
     let length = data_type.length();
-    let value = Expedited {
+    Expedited {
         bits: bits as u32 & (u32::MAX >> ((32 - 8 * length) & 31)),
         length: Some(length as u8),
-    };
-    (State::Idle, Response::UploadExpedited { address, value })
+    }
 }
 
-/// The value is long, or has a length of its own.
-fn segmented(entry: Entry, buffer: &mut [u8], value: Value<'_>) -> Result<Step, AbortCode> {
-    let address = entry.address();
+/// A value that is longer, or has a length of its own.
+fn long(entry: Entry, buffer: &mut [u8], value: Value<'_>) -> Result<Begun, AbortCode> {
     let number;
     let bytes = match value {
         Value::Bytes(bytes) => bytes,
@@ -66,20 +63,18 @@ fn segmented(entry: Entry, buffer: &mut [u8], value: Value<'_>) -> Result<Step, 
         }
     };
     if let Some(short) = short(bytes) {
-        return Ok((State::Idle, Response::UploadExpedited { address, value: short }));
+        return Ok(Begun::Complete(short));
     }
     if !stands_in_flash(entry) {
         let room = buffer.get_mut(..bytes.len()).ok_or(AbortCode::OUT_OF_MEMORY)?;
         room.copy_from_slice(bytes);
     }
-    let upload = Upload {
+    Ok(Begun::Segmented(Upload {
         entry,
         size: bytes.len(),
         sent: 0,
         toggle: false,
-    };
-    let size = u32::try_from(bytes.len()).ok();
-    Ok((State::Upload(upload), Response::UploadInitiate { address, size }))
+    }))
 }
 
 /// A string of one to four bytes fits into the response too.
@@ -103,37 +98,42 @@ impl Upload {
         self.entry.address()
     }
 
-    /// State `Upload`: takes `60` or `70`, answers with the next seven bytes.
-    pub(super) fn segment<D: Device>(mut self, device: &D, buffer: &[u8], toggle: bool) -> Step {
-        if toggle != self.toggle {
-            return refuse(self.address(), AbortCode::TOGGLE_NOT_ALTERNATED);
-        }
-        let Some(segment) = self.next(device, buffer) else {
-            return refuse(self.address(), AbortCode::INTERNAL_INCOMPATIBILITY);
-        };
-        let next = if segment.last { State::Idle } else { State::Upload(self) };
-        (next, Response::UploadSegment(segment))
+    /// How many bytes there are; a number that does not fit into the response is not said.
+    pub(super) fn size(&self) -> Option<u32> {
+        u32::try_from(self.size).ok()
     }
 
-    /// Cuts off the next segment.
-    fn next<D: Device>(&mut self, device: &D, buffer: &[u8]) -> Option<Segment> {
+    /// State `Upload`: takes `60` or `70`, gives the next seven bytes.
+    pub(super) fn segment<D: Device>(&mut self, device: &D, buffer: &[u8], toggle: bool) -> Result<Segment, AbortCode> {
+        if toggle != self.toggle {
+            return Err(AbortCode::TOGGLE_NOT_ALTERNATED);
+        }
         let value = if stands_in_flash(self.entry) {
-            od::load(device, self.entry).ok()?.to_bytes()
+            od::load(device, self.entry)?.to_bytes()
         } else {
             buffer
         };
-        let end = self.size.min(self.sent + 7);
-        let bytes = value.get(self.sent..end)?;
-        let mut data = [0; 7];
-        data.get_mut(..bytes.len())?.copy_from_slice(bytes);
-        let segment = Segment {
-            toggle: self.toggle,
-            last: end == self.size,
-            length: u8::try_from(bytes.len()).ok()?,
-            data,
-        };
-        self.sent = end;
-        self.toggle = !self.toggle;
-        Some(segment)
+        let rest = value
+            .get(self.sent..self.size)
+            .ok_or(AbortCode::INTERNAL_INCOMPATIBILITY)?;
+        self.toggle = !toggle;
+        self.sent += rest.len().min(7);
+        Ok(cut(rest, toggle))
+    }
+}
+
+/// The first seven bytes of what is left, or all of it.
+#[allow(clippy::cast_possible_truncation)] // The length is 0 to 7.
+fn cut(rest: &[u8], toggle: bool) -> Segment {
+    let mut data = [0; 7];
+    match rest.first_chunk() {
+        Some(full) => data = *full,
+        None => data.iter_mut().zip(rest).for_each(|(to, from)| *to = *from),
+    }
+    Segment {
+        toggle,
+        last: rest.len() <= 7,
+        length: rest.len().min(7) as u8,
+        data,
     }
 }

@@ -1,0 +1,38 @@
+//! What all the benches share: the frames of an operation, and how often to do it.
+//!
+//! `bench NAME DICTIONARY N` does the operation `NAME` `N` times. Run under callgrind with N and 2N, the difference is
+//! what N operations cost, start-up not counted.
+
+use std::hint::black_box;
+
+/// Node 10h: the frames of each operation, as (CAN-ID, data).
+pub fn frames(operation: &str) -> Vec<(u16, [u8; 8])> {
+    let sdo = |data| (0x610, data);
+    match operation {
+        "upload_u32" | "harness" => vec![sdo([0x40, 0x04, 0x60, 0, 0, 0, 0, 0])],
+        "download_u16" => vec![sdo([0x2B, 0x00, 0x62, 0, 0x34, 0x12, 0, 0])],
+        "segmented_256" => {
+            let mut frames = vec![sdo([0x40, 0x00, 0x21, 0, 0, 0, 0, 0])];
+            frames.extend((0..37).map(|segment| sdo([0x60 | (segment & 1) << 4, 0, 0, 0, 0, 0, 0, 0])));
+            frames
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Does `exchange` with each frame `n` times over. It gives the response that is to be sent.
+pub fn exchange_all<F>(operation: &str, n: u32, mut exchange: impl FnMut(u16, [u8; 8]) -> Option<F>) {
+    let frames = frames(operation);
+    for _ in 0..n {
+        for &(id, data) in &frames {
+            let response = exchange(black_box(id), black_box(data));
+            assert!(black_box(response).is_some(), "{operation}: no response");
+        }
+    }
+}
+
+/// The arguments: operation, whether the dictionary has 1000 objects, how often.
+pub fn arguments() -> (String, bool, u32) {
+    let arguments: Vec<String> = std::env::args().collect();
+    (arguments[1].clone(), arguments[2] == "1000", arguments[3].parse().unwrap())
+}

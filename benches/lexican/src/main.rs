@@ -1,0 +1,51 @@
+//! Lexican.
+
+#[path = "../../harness.rs"]
+mod harness;
+
+mod bench_100 {
+    use lexican_runtime::{AbortCode, Address, bytemuck, od::*};
+    include!(concat!(env!("OUT_DIR"), "/bench_100.rs"));
+}
+mod bench_1000 {
+    use lexican_runtime::{AbortCode, Address, bytemuck, od::*};
+    include!(concat!(env!("OUT_DIR"), "/bench_1000.rs"));
+}
+
+use std::hint::black_box;
+
+use lexican_runtime::{Address, CanId, Device, Frame, Instant, Node, NodeId};
+
+fn main() {
+    let (operation, large, n) = harness::arguments();
+    if large {
+        run(bench_1000::Device::new(), &operation, n);
+    } else {
+        run(bench_100::Device::new(), &operation, n);
+    }
+}
+
+fn run<D: Device>(device: D, operation: &str, n: u32) {
+    let mut node = Node::new(device, NodeId::new(0x10).unwrap());
+    let now = Instant::from_micros(1);
+    black_box(node.poll(now)).unwrap();
+    match operation {
+        "lookup" => {
+            for _ in 0..n {
+                let entry = node.device().table().find(black_box(Address::new(0x6004, 0)));
+                black_box(entry.map(|entry| entry.slot)).unwrap();
+            }
+        }
+        "idle" => {
+            for _ in 0..n {
+                assert!(black_box(node.poll(black_box(now))).is_none());
+            }
+        }
+        "harness" => harness::exchange_all(operation, n, |id, data| Some(Frame::full(CanId::standard(id.into())?, data))),
+        _ => harness::exchange_all(operation, n, |id, data| {
+            let frame = black_box(Frame::full(CanId::standard(id.into())?, data));
+            node.receive(black_box(now), &frame);
+            node.poll(black_box(now))
+        }),
+    }
+}
