@@ -13,7 +13,7 @@
 //! ```
 //!
 //! Each block is a dialogue with a node that has just booted, in PRE-OPERATIONAL. The node sends nothing that the block
-//! does not say: silence needs no line.
+//! does not say: silence needs no line. Its node-ID is that of the first frame in the block that carries one.
 
 use lexican_runtime::{Address, Device, od};
 
@@ -48,12 +48,12 @@ pub struct Summary {
     pub later: usize,
 }
 
-/// Holds all the dialogues of `text`, each with a bus of its own from `booted`.
+/// Holds all the dialogues of `text`, each with a bus of its own: `booted` makes one with a node of that node-ID on it.
 ///
 /// # Panics
 /// When the node says something else, or the text is not made of dialogues; the message names the block by its line.
 #[expect(clippy::print_stdout, reason = "a failing test shows which dialogue it was in")]
-pub fn hold<D: Device>(text: &str, mut booted: impl FnMut() -> Bus<D>) -> Summary {
+pub fn hold<D: Device>(text: &str, mut booted: impl FnMut(u8) -> Bus<D>) -> Summary {
     let mut summary = Summary::default();
     for dialogue in read(text) {
         if let Some(reason) = &dialogue.later {
@@ -61,7 +61,7 @@ pub fn hold<D: Device>(text: &str, mut booted: impl FnMut() -> Bus<D>) -> Summar
             summary.later += 1;
         } else {
             println!("line {}: {}", dialogue.line, dialogue.comments.join(" "));
-            dialogue.hold(&mut booted());
+            dialogue.hold(&mut booted(dialogue.node_id()));
             summary.held += 1;
         }
     }
@@ -104,6 +104,17 @@ impl Dialogue {
             )),
             _ => panic!("line {number}: `{line}` begins with none of # @ ! > < +"),
         }
+    }
+
+    /// The node-ID in the first CAN-ID that has one; 1 where none has.
+    fn node_id(&self) -> u8 {
+        let id = |step: &Step| match step {
+            Step::Send(frame) | Step::Expect(frame) => Some(line::frame(frame.trim_end_matches("..")).id()),
+            Step::Set(..) | Step::Advance(_) => None,
+        };
+        let mut ids = self.steps.iter().filter_map(id).filter(|id| !id.is_extended());
+        let id = ids.find(|id| matches!(id.number(), 0x181..=0x77F) && id.number() & 0x7F != 0);
+        id.map_or(1, |id| id.number().to_le_bytes()[0] & 0x7F)
     }
 
     /// Holds the dialogue on `bus`.

@@ -1,6 +1,7 @@
 //! Shared set-up of the tests: a bus with one node on it, dialogues on that bus, and two devices to talk to.
 
 pub mod bus;
+pub mod client;
 pub mod dialogue;
 pub mod line;
 pub mod sample;

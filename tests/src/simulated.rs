@@ -1,5 +1,6 @@
 //! A device that is put together while the test runs: slow, and about any dictionary.
 
+use lexican_eds::ir;
 use lexican_runtime::od::{Access, DataType, Device, Entry, Extra, Table, Value, bucket_of, place_of};
 use lexican_runtime::{AbortCode, Address};
 
@@ -18,6 +19,37 @@ pub struct Object {
     pub limits: Option<(Vec<u8>, Vec<u8>)>,
     /// How many bytes a string may have; the longer of this and the default counts.
     pub capacity: usize,
+}
+
+/// How many bytes a string of an EDS may have at least; an EDS does not say.
+const CAPACITY: usize = 64;
+
+impl From<&ir::Entry> for Object {
+    fn from(entry: &ir::Entry) -> Self {
+        let bytes = |value: &ir::Value| value.to_bytes(entry.data_type, None);
+        let length = entry.data_type.bytes().unwrap_or(0);
+        let formula = matches!(entry.default, Some(ir::Value::NodeIdPlus(_)));
+        Self {
+            address: Address::new(entry.address.index, entry.address.sub),
+            data_type: DataType(u8::try_from(entry.data_type.index()).expect("a static type")),
+            access: access(entry.access).with(if formula { Access::NODE_ID } else { Access(0) }),
+            default: entry.default.as_ref().map_or_else(|| vec![0; length], bytes),
+            limits: entry
+                .low
+                .as_ref()
+                .zip(entry.high.as_ref())
+                .map(|(low, high)| (bytes(low), bytes(high))),
+            capacity: if length == 0 { CAPACITY } else { 0 },
+        }
+    }
+}
+
+fn access(access: ir::AccessType) -> Access {
+    match (access.readable(), access.writable()) {
+        (true, true) => Access::READ.with(Access::WRITE),
+        (false, _) => Access::WRITE,
+        (true, false) => Access::READ,
+    }
 }
 
 /// A device without an application.
@@ -41,6 +73,13 @@ impl Simulated {
         device.place(&entries);
         device.values.clone_from(&device.defaults);
         device
+    }
+
+    /// The device of an EDS file.
+    #[must_use]
+    pub fn of(dictionary: &ir::Dictionary) -> Self {
+        let objects: Vec<Object> = dictionary.entries().map(Object::from).collect();
+        Self::new(&objects)
     }
 
     /// Gives the object room among the values, and its extras.

@@ -172,6 +172,18 @@ fn more_or_fewer_bytes_than_announced_are_refused() {
 }
 
 #[test]
+fn a_last_segment_that_does_not_say_its_size_ends_with_the_announced_one() {
+    let mut bus = downloading();
+    bus.send("601#1137383900000000").expect("581#3000000000000000");
+    assert_eq!(bus.node().device().od.tag.as_bytes(), b"0123456789");
+    bus.send("601#2017100000000000")
+        .expect("581#6017100000000000")
+        .send("601#01E8030000000000")
+        .expect("581#2000000000000000");
+    assert_eq!(bus.node().device().od.producer_heartbeat_time, 1000);
+}
+
+#[test]
 fn a_toggle_bit_that_does_not_alternate_ends_the_transfer() {
     downloading()
         .send("601#0937383900000000")

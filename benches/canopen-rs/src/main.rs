@@ -28,7 +28,7 @@ fn run<const N: usize>(dictionary: ObjectDictionary<N>, operation: &str, n: u32)
     black_box(node.boot());
     if operation == "lookup" {
         for _ in 0..n {
-            black_box(node.od().get(black_box(Address::new(0x6004, 0)))).unwrap();
+            black_box(node.od().read(black_box(Address::new(0x6004, 0)))).unwrap();
         }
         return;
     }

@@ -113,9 +113,14 @@ impl Download {
 
     /// Puts the segment's bytes behind those before them.
     fn take(&mut self, buffer: &mut [u8], segment: Segment) -> Result<(), AbortCode> {
-        let bytes = segment.bytes();
+        let expected = self.promised.unwrap_or(self.room);
+        let mut bytes = segment.bytes();
+        if segment.last && bytes.len() == 7 {
+            // "n = 0 if no segment size is indicated" (CiA 301, 7.2.4.3.4): then what is expected ends the value.
+            bytes = bytes.get(..expected.saturating_sub(self.received)).unwrap_or(bytes);
+        }
         let end = self.received + bytes.len();
-        if end > self.promised.unwrap_or(self.room) {
+        if end > expected {
             return Err(AbortCode::TOO_LONG);
         }
         let room = buffer.get_mut(self.received..end).ok_or(AbortCode::OUT_OF_MEMORY)?;

@@ -1,0 +1,135 @@
+//! An SDO client on a [`Bus`]: reads and writes whole values.
+
+use lexican_runtime::{
+    AbortCode, Address, CanId, Device, Frame,
+    wire::sdo::{Expedited, Request, Response, Segment},
+};
+
+use crate::bus::Bus;
+
+/// How a value is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Manner {
+    /// In the request itself; for one to four bytes.
+    Expedited,
+    /// In segments of at most so many bytes, 1 to 7.
+    Segmented {
+        /// Bytes in a segment.
+        step: usize,
+        /// Whether the size is announced.
+        announced: bool,
+    },
+}
+
+/// Reads the value at `address`.
+///
+/// # Errors
+/// The server's abort code.
+///
+/// # Panics
+/// When the server does not keep to the protocol.
+pub fn upload<D: Device>(bus: &mut Bus<D>, address: Address) -> Result<Vec<u8>, AbortCode> {
+    let size = match ask(bus, Request::UploadInitiate { address })? {
+        Response::UploadExpedited { address: echo, value } => {
+            assert_eq!(echo, address);
+            return Ok(bytes(value));
+        }
+        Response::UploadInitiate { address: echo, size } => {
+            assert_eq!(echo, address);
+            size.expect("this server says how much there is")
+        }
+        other => panic!("{other:?} in answer to an upload"),
+    };
+    let mut value = Vec::new();
+    for toggle in [false, true].into_iter().cycle() {
+        let Response::UploadSegment(segment) = ask(bus, Request::UploadSegment { toggle })? else {
+            panic!("no segment in answer to {toggle}");
+        };
+        assert_eq!(segment.toggle, toggle);
+        value.extend(segment.bytes());
+        if segment.last {
+            break;
+        }
+    }
+    assert_eq!(
+        value.len(),
+        usize::try_from(size).expect("a size"),
+        "as many bytes as were announced"
+    );
+    Ok(value)
+}
+
+/// Writes `value` to `address`.
+///
+/// # Errors
+/// The server's abort code.
+///
+/// # Panics
+/// When the server does not keep to the protocol, or the value is too long for the manner.
+pub fn download<D: Device>(bus: &mut Bus<D>, address: Address, value: &[u8], manner: Manner) -> Result<(), AbortCode> {
+    let (step, announced) = match manner {
+        Manner::Expedited => {
+            let value = expedited(value);
+            let response = ask(bus, Request::DownloadExpedited { address, value })?;
+            assert_eq!(response, Response::DownloadInitiate { address });
+            return Ok(());
+        }
+        Manner::Segmented { step, announced } => (step, announced),
+    };
+    let size = announced.then(|| u32::try_from(value.len()).expect("a size"));
+    let response = ask(bus, Request::DownloadInitiate { address, size })?;
+    assert_eq!(response, Response::DownloadInitiate { address });
+    for (number, part) in segments(value, step).into_iter().enumerate() {
+        let last = (number + 1) * step >= value.len();
+        let segment = segment(part, number % 2 == 1, last);
+        let response = ask(bus, Request::DownloadSegment(segment))?;
+        assert_eq!(response, Response::DownloadSegment { toggle: segment.toggle });
+    }
+    Ok(())
+}
+
+/// `value` in parts; one empty part of an empty value.
+fn segments(value: &[u8], step: usize) -> Vec<&[u8]> {
+    if value.is_empty() {
+        vec![value]
+    } else {
+        value.chunks(step).collect()
+    }
+}
+
+fn segment(part: &[u8], toggle: bool, last: bool) -> Segment {
+    let mut data = [0xA5; 7];
+    data[..part.len()].copy_from_slice(part);
+    Segment {
+        toggle,
+        last,
+        length: u8::try_from(part.len()).expect("seven bytes"),
+        data,
+    }
+}
+
+fn expedited(value: &[u8]) -> Expedited {
+    let mut word = [0; 4];
+    word[..value.len()].copy_from_slice(value);
+    Expedited {
+        bits: u32::from_le_bytes(word),
+        length: Some(u8::try_from(value.len()).expect("four bytes")),
+    }
+}
+
+fn bytes(value: Expedited) -> Vec<u8> {
+    let length = value.length.expect("this server says how much there is");
+    value.bits.to_le_bytes()[..usize::from(length)].to_vec()
+}
+
+/// Sends a request and takes the one response to it.
+fn ask<D: Device>(bus: &mut Bus<D>, request: Request) -> Result<Response, AbortCode> {
+    let node_id = bus.node().node_id();
+    bus.put(Frame::full(CanId::sdo_request(node_id), request.emit()));
+    let frame = bus.take().unwrap_or_else(|| panic!("no answer to {request:?}"));
+    assert_eq!(frame.id(), CanId::sdo_response(node_id));
+    match Response::parse(frame.full_data().expect("eight bytes")) {
+        Response::Abort { code, .. } => Err(code),
+        response => Ok(response),
+    }
+}
