@@ -10,9 +10,9 @@ use lexican_tests::{
 
 fn hold(name: &str) -> Summary {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let eds = fs::read(root.join(format!("../eds/devices/{name}.eds"))).unwrap();
+    let eds = fs::read(root.join(format!("../eds/devices/{name}.eds"))).expect("the device's file");
     let device = Simulated::of(&lexican_eds::read(name, eds).dictionary);
-    let text = fs::read_to_string(root.join(format!("dialogues/{name}.txt"))).unwrap();
+    let text = fs::read_to_string(root.join(format!("dialogues/{name}.txt"))).expect("its dialogues");
     dialogue::hold(&text, |node_id| Bus::booted(device.clone(), node_id))
 }
 
