@@ -88,7 +88,7 @@ fn answer(bus: &mut Bus<Simulated>) -> String {
         None => "-".to_owned(),
         Some(frame) => match frame.data() {
             &[0x80, _, _, _, a, b, c, d] => format!("{:08X}", u32::from_le_bytes([a, b, c, d])),
-            data => format!("{:02X}", data.first().unwrap()),
+            data => data.first().map_or_else(String::new, |byte| format!("{byte:02X}")),
         },
     }
 }
