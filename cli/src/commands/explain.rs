@@ -57,12 +57,15 @@ fn row(rule: &Rule) -> String {
     format!("{}  {:<4}  {}\n", rule.code(), rule.level(), rule.name())
 }
 
-/// The same text with its headings in bold.
+/// The same text with its headings in bold; a `#` in an example is none.
 fn highlight(page: &str) -> String {
     let bold = Style::new().bold();
+    let mut in_example = false;
     let mut text = String::new();
     for line in page.lines() {
-        let style = if line.starts_with('#') { bold } else { Style::new() };
+        in_example ^= line.starts_with("```");
+        let heading = !in_example && line.starts_with('#');
+        let style = if heading { bold } else { Style::new() };
         let _ = writeln!(text, "{style}{line}{style:#}");
     }
     text

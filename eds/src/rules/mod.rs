@@ -23,6 +23,7 @@ mod quote;
 mod registry;
 mod report;
 mod rule;
+mod unusual;
 
 pub use levels::{LevelChange, LevelChangeError, Levels, UnknownRule};
 pub use manual::{manual, page};
@@ -40,6 +41,7 @@ use crate::{
 pub(crate) use quote::{quoted, similar};
 pub(crate) use report::Report;
 pub(crate) use rule::{DictionaryRule, DocumentRule, DumpRule, ModelRule, ReadingRule, declare_rule};
+pub(crate) use unusual::{Unusual, octal_cure, unusual, value_name};
 
 /// Everything that is wrong with a file, in the order of the file; at one place, in the order of the codes.
 ///

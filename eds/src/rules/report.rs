@@ -28,8 +28,13 @@ impl<'a> Report<'a> {
 
     /// The text at `span` for use in a message: in backticks, cut when it is long.
     pub(crate) fn quote(&self, span: Span) -> String {
+        quoted(self.text(span))
+    }
+
+    /// The text at `span`.
+    pub(crate) fn text(&self, span: Span) -> &'a str {
         let text = self.text.get(span.start as usize..span.end as usize);
-        quoted(text.unwrap_or_default())
+        text.unwrap_or_default()
     }
 
     /// Reports `message` about `span`; [`Span::default`] stands for the file as a whole. The answer takes a label, related places and the cure.

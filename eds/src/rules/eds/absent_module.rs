@@ -44,7 +44,7 @@ impl ReadingRule for AbsentModule {
                 Problem::UnknownModule { number, at } => {
                     report
                         .at(at, format!("module {number} is connected, but not described"))
-                        .help(format!("write a section [M{number}ModuleInfo], or mend the number"));
+                        .help(format!("write a section [M{number}ModuleInfo], or fix the number"));
                 }
                 Problem::AbsentModuleObject { number, index, at } => {
                     report

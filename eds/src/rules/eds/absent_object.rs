@@ -7,7 +7,7 @@ use crate::{
 
 declare_rule! {
     /// ## What it does
-    /// Finds objects that stand in a list but have no section.
+    /// Finds objects that are in a list but have no section.
     ///
     /// ## Why it matters
     /// The file says that the device has the object, and nothing about it. A generator cannot make it, a master does not know its

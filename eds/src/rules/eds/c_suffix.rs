@@ -1,8 +1,8 @@
 use crate::{
     diagnostic::Level,
     literal::Note,
-    model::{Eds, Problem},
-    rules::{ModelRule, Report, declare_rule},
+    model::Eds,
+    rules::{ModelRule, Report, Unusual, declare_rule, unusual},
 };
 
 declare_rule! {
@@ -31,19 +31,11 @@ declare_rule! {
 
 impl ModelRule for CSuffix {
     fn check(eds: &Eds, report: &mut Report) {
-        for problem in eds.problems() {
-            if let Problem::Unusual {
-                keyword,
-                note: Note::Suffix,
-                at,
-                ..
-            } = *problem
-            {
-                let (keyword, value) = (keyword.name(), report.quote(at));
-                report
-                    .at(at, format!("{keyword} {value} has a suffix of C"))
-                    .help("leave out the suffix");
-            }
+        for Unusual { keyword, at, .. } in unusual(eds, Note::Suffix) {
+            let value = report.quote(at);
+            report
+                .at(at, format!("{keyword} {value} has a suffix of C"))
+                .help("leave out the suffix");
         }
     }
 }

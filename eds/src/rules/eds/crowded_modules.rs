@@ -1,3 +1,5 @@
+use std::collections::HashSet;
+
 use crate::{
     Reading,
     diagnostic::Level,
@@ -25,6 +27,7 @@ declare_rule! {
 
 impl ReadingRule for CrowdedModules {
     fn check(reading: &Reading, report: &mut Report) {
+        let mut full = HashSet::new();
         for problem in &reading.problems {
             match *problem {
                 Problem::TooManyModules { at } => {
@@ -32,7 +35,8 @@ impl ReadingRule for CrowdedModules {
                         .at(at, "more than 254 modules are connected")
                         .help("connect fewer modules");
                 }
-                Problem::NoRoomForModule { index, at } => {
+                // Each sub-object that does not fit is a problem; that the object is full is one finding.
+                Problem::NoRoomForModule { index, at } if full.insert(index) => {
                     report
                         .at(at, format!("the connected modules do not fit into object {index:04X}h"))
                         .help("connect fewer modules, or let ObjExtend go on in the next object");

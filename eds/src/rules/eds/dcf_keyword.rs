@@ -38,10 +38,7 @@ impl DocumentRule for DcfKeyword {
         for entry in document.sections().iter().flat_map(|section| &section.entries) {
             if is_of_dcf(entry.keyword) {
                 report
-                    .at(
-                        entry.key,
-                        format!("keyword {} belongs into a DCF", entry.keyword.name()),
-                    )
+                    .at(entry.key, format!("keyword {} belongs in a DCF", entry.keyword.name()))
                     .help("remove it, or add [DeviceComissioning] if this is a DCF");
             }
         }

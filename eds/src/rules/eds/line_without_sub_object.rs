@@ -45,7 +45,7 @@ impl ReadingRule for LineWithoutSubObject {
             if let Problem::LineOfNoSub { index, number, at } = *problem {
                 report
                     .at(at, format!("object {index:04X}h has no sub-index {number}"))
-                    .help("mend the number, or CompactSubObj of the object");
+                    .help("fix the number, or CompactSubObj of the object");
             }
         }
     }

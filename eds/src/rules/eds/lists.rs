@@ -18,7 +18,7 @@ pub(super) fn lists(eds: &Eds) -> impl Iterator<Item = (ObjectList, &List<u16>)>
 }
 
 impl ObjectList {
-    /// The list that `index` belongs into, as far as CiA 301 says it; a profile may make an optional object mandatory.
+    /// The list that `index` belongs in, as far as CiA 301 says it; a profile may make an optional object mandatory.
     pub(super) const fn of(index: u16) -> Self {
         match index {
             0x1000 | 0x1001 | 0x1018 => Self::Mandatory,

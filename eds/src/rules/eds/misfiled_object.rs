@@ -8,8 +8,8 @@ use crate::{
 
 declare_rule! {
     /// ## What it does
-    /// Finds objects in a list that their index does not belong to: 2000h to 5FFFh belong into `[ManufacturerObjects]`, 1000h,
-    /// 1001h and 1018h into `[MandatoryObjects]`, all others into `[OptionalObjects]` or, where a profile demands them, into
+    /// Finds objects in a list that their index does not belong to: 2000h to 5FFFh belong in `[ManufacturerObjects]`, 1000h,
+    /// 1001h and 1018h in `[MandatoryObjects]`, all others in `[OptionalObjects]` or, where a profile demands them, in
     /// `[MandatoryObjects]`.
     ///
     /// ## Why it matters
@@ -53,10 +53,7 @@ impl ModelRule for MisfiledObject {
                 if !fits {
                     let (wrong, right) = (name.section(), home.section());
                     report
-                        .at(
-                            listed.span,
-                            format!("object {index:04X}h does not belong into [{wrong}]"),
-                        )
+                        .at(listed.span, format!("object {index:04X}h does not belong in [{wrong}]"))
                         .help(format!("move it to [{right}]"));
                 }
             }

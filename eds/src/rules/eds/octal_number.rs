@@ -3,7 +3,7 @@ use crate::{
     document::Keyword,
     literal::{Fault, Note},
     model::{Eds, Expected, Problem},
-    rules::{ModelRule, Report, declare_rule},
+    rules::{ModelRule, Report, declare_rule, octal_cure},
 };
 
 declare_rule! {
@@ -55,9 +55,10 @@ impl ModelRule for OctalNumber {
                 _ => continue,
             };
             let (keyword, value) = (problem.keyword().name(), report.quote(problem.span()));
+            let cure = octal_cure(report.text(problem.span()));
             report
                 .at(problem.span(), format!("{keyword} {value} {fact}"))
-                .help("leave out the leading zero, or write the number in hex");
+                .help(cure);
         }
     }
 }

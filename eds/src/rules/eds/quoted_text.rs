@@ -1,8 +1,8 @@
 use crate::{
     diagnostic::Level,
     literal::Note,
-    model::{Eds, Problem},
-    rules::{ModelRule, Report, declare_rule},
+    model::Eds,
+    rules::{ModelRule, Report, Unusual, declare_rule, unusual},
 };
 
 declare_rule! {
@@ -32,19 +32,11 @@ declare_rule! {
 
 impl ModelRule for QuotedText {
     fn check(eds: &Eds, report: &mut Report) {
-        for problem in eds.problems() {
-            if let Problem::Unusual {
-                keyword,
-                note: Note::Quoted,
-                at,
-                ..
-            } = *problem
-            {
-                let (keyword, value) = (keyword.name(), report.quote(at));
-                report
-                    .at(at, format!("{keyword} {value} stands in quotes"))
-                    .help("leave out the quotes");
-            }
+        for Unusual { keyword, at, .. } in unusual(eds, Note::Quoted) {
+            let value = report.quote(at);
+            report
+                .at(at, format!("{keyword} {value} is in quotes"))
+                .help("leave out the quotes");
         }
     }
 }

@@ -1,8 +1,8 @@
 use crate::{
     diagnostic::Level,
     literal::Note,
-    model::{Eds, Problem},
-    rules::{ModelRule, Report, declare_rule},
+    model::Eds,
+    rules::{ModelRule, Report, Unusual, declare_rule, unusual},
 };
 
 declare_rule! {
@@ -32,19 +32,11 @@ declare_rule! {
 
 impl ModelRule for TrailingComment {
     fn check(eds: &Eds, report: &mut Report) {
-        for problem in eds.problems() {
-            if let Problem::Unusual {
-                keyword,
-                note: Note::TrailingComment,
-                at,
-                ..
-            } = *problem
-            {
-                let (keyword, value) = (keyword.name(), report.quote(at));
-                report
-                    .at(at, format!("{keyword} {value} has a comment behind its value"))
-                    .help("move it to a line of its own that starts with `;`");
-            }
+        for Unusual { keyword, at, .. } in unusual(eds, Note::TrailingComment) {
+            let value = report.quote(at);
+            report
+                .at(at, format!("{keyword} {value} has a comment after its value"))
+                .help("move the comment to a line of its own that starts with `;`");
         }
     }
 }

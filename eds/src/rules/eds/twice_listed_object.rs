@@ -7,7 +7,7 @@ use crate::{
 
 declare_rule! {
     /// ## What it does
-    /// Finds objects that stand twice in a list, or in two lists.
+    /// Finds objects that are twice in a list, or in two lists.
     ///
     /// ## Why it matters
     /// Readers count the object twice, or refuse the file.
@@ -46,7 +46,7 @@ impl ReadingRule for TwiceListedObject {
                     .at(at, format!("object {index:04X}h is listed a second time"))
                     .label("the second time")
                     .related(first, "the first time")
-                    .help("keep it in the list that it belongs into");
+                    .help("keep it in the list that it belongs in");
             }
         }
     }

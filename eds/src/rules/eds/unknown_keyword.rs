@@ -11,7 +11,7 @@ declare_rule! {
     ///
     /// ## Why it matters
     /// Readers pass over them. Mostly it is a slip of the finger, and the value that was meant is lost; sometimes it is a vendor's
-    /// addition, which belongs into a comment.
+    /// addition, which belongs in a comment.
     ///
     /// ## Example
     /// ```ini

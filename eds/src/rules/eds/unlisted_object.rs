@@ -7,7 +7,7 @@ use crate::{
 
 declare_rule! {
     /// ## What it does
-    /// Finds objects that have a section but stand in none of the lists `[MandatoryObjects]`, `[OptionalObjects]` and
+    /// Finds objects that have a section but are in none of the lists `[MandatoryObjects]`, `[OptionalObjects]` and
     /// `[ManufacturerObjects]`.
     ///
     /// ## Why it matters
@@ -44,7 +44,7 @@ impl ReadingRule for UnlistedObject {
             if let Problem::UnlistedObject { index, at } = *problem {
                 let list = ObjectList::of(index).section();
                 report
-                    .at(at, format!("object {index:04X}h stands in no list"))
+                    .at(at, format!("object {index:04X}h is in no list"))
                     .help(format!("add it to [{list}]"));
             }
         }

@@ -25,7 +25,7 @@ impl DocumentRule for ByteOrderMark {
         for problem in document.problems() {
             if let Problem::ByteOrderMark { at } = *problem {
                 report
-                    .at(at, "a byte order mark stands before this line")
+                    .at(at, "a byte order mark comes before this line")
                     .help("save the file as ASCII, or as UTF-8 without a byte order mark");
             }
         }

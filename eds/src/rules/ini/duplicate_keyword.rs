@@ -6,7 +6,7 @@ use crate::{
 
 declare_rule! {
     /// ## What it does
-    /// Finds keywords that stand twice in one section.
+    /// Finds keywords that appear twice in one section.
     ///
     /// ## Why it matters
     /// Which of the two values counts is left to the reader: some take the first, some the last. A master and a generator may
@@ -37,7 +37,10 @@ impl DocumentRule for DuplicateKeyword {
         for problem in document.problems() {
             if let Problem::DuplicateKeyword { at, first } = *problem {
                 report
-                    .at(at, format!("keyword {} stands twice in this section", report.quote(at)))
+                    .at(
+                        at,
+                        format!("keyword {} appears twice in this section", report.quote(at)),
+                    )
                     .label("the second")
                     .related(first, "the first; it is the one that counts")
                     .help("remove one of them");

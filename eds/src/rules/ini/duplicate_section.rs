@@ -39,7 +39,7 @@ impl DocumentRule for DuplicateSection {
         for problem in document.problems() {
             if let Problem::DuplicateSection { at, first } = *problem {
                 report
-                    .at(at, format!("section {} stands here a second time", report.quote(at)))
+                    .at(at, format!("section {} appears a second time", report.quote(at)))
                     .label("the second")
                     .related(first, "the first; it is the one that counts")
                     .help("merge the two into one");

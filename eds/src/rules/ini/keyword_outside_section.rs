@@ -37,7 +37,7 @@ impl DocumentRule for KeywordOutsideSection {
                 report
                     .at(
                         at,
-                        format!("keyword {} stands before the first section", report.quote(at)),
+                        format!("keyword {} comes before the first section", report.quote(at)),
                     )
                     .help("move it below the header of its section");
             }

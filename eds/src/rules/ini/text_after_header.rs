@@ -34,7 +34,7 @@ impl DocumentRule for TextAfterHeader {
         for problem in document.problems() {
             if let Problem::TextAfterHeader { at } = *problem {
                 report
-                    .at(at, format!("text {} stands behind the header", report.quote(at)))
+                    .at(at, format!("text {} follows the header", report.quote(at)))
                     .help("move it to a line of its own that starts with `;`");
             }
         }

@@ -75,5 +75,5 @@ fn check_entry(entry: &Entry, report: &mut Report) {
     report
         .at(entry.spans.default, format!("{keyword} {value} is {fact} {bound}"))
         .related(limit, "the limit")
-        .help("mend the value or the limit");
+        .help("fix the value or the limit");
 }

@@ -47,7 +47,7 @@ impl ReadingRule for EmptyStructure {
                         at,
                         format!("object {index:04X}h is an array or record, but has no sub-objects"),
                     )
-                    .help("write sections for its sub-objects, or mend the ObjectType");
+                    .help("write sections for its sub-objects, or fix the ObjectType");
             }
         }
     }

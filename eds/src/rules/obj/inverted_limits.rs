@@ -52,7 +52,7 @@ impl DictionaryRule for InvertedLimits {
                         format!("LowLimit {low} is above HighLimit {high} of this {data_type}"),
                     )
                     .related(entry.spans.high, "the HighLimit")
-                    .help("mend the limits, or leave them out");
+                    .help("fix the limits, or leave them out");
             }
         }
     }

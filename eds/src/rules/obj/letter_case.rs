@@ -1,9 +1,9 @@
-use super::words::{more, unusual};
+use super::words::more;
 use crate::{
     diagnostic::Level,
     literal::Note,
     model::Eds,
-    rules::{ModelRule, Report, declare_rule},
+    rules::{ModelRule, Report, Unusual, declare_rule, unusual},
 };
 
 declare_rule! {
@@ -33,11 +33,12 @@ declare_rule! {
 impl ModelRule for LetterCase {
     fn check(eds: &Eds, report: &mut Report) {
         let mut found = unusual(eds, Note::LetterCase);
-        if let Some((keyword, at)) = found.next() {
+        if let Some(Unusual { keyword, at, .. }) = found.next() {
+            let cure = format!("write `{}`", report.text(at).to_ascii_lowercase());
             let (value, more) = (report.quote(at), more(found.count()));
             report
                 .at(at, format!("{keyword} {value} is not in small letters{more}"))
-                .help("write it in small letters");
+                .help(cure);
         }
     }
 }

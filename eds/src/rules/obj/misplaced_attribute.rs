@@ -8,7 +8,7 @@ use crate::{
 
 declare_rule! {
     /// ## What it does
-    /// Finds keywords that do not go with the ObjectType: SubNumber or CompactSubObj of a single value; AccessType, DefaultValue or
+    /// Finds keywords that do not go with the ObjectType: SubNumber of a single value; AccessType, DefaultValue or
     /// limits of an array or record, and DataType of a record, whose sub-objects have these.
     ///
     /// ## Why it matters
@@ -67,7 +67,7 @@ fn report_entry(entry: &Entry, code: ObjectCode, report: &mut Report) {
             entry.key,
             format!("keyword {} means nothing for {kind}", entry.keyword.name()),
         )
-        .help("remove it, or mend the ObjectType");
+        .help("remove it, or fix the ObjectType");
 }
 
 fn fits(keyword: Keyword, code: ObjectCode) -> bool {

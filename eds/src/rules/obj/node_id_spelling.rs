@@ -1,10 +1,8 @@
-use super::words::value_name;
-
 use crate::{
     diagnostic::Level,
     literal::Note,
     model::{Eds, Problem},
-    rules::{ModelRule, Report, declare_rule},
+    rules::{ModelRule, Report, declare_rule, value_name},
 };
 
 declare_rule! {

@@ -1,10 +1,8 @@
-use super::words::value_name;
-
 use crate::{
     diagnostic::Level,
     literal::{Fault, Note},
     model::{Eds, Expected, Problem},
-    rules::{ModelRule, Report, declare_rule},
+    rules::{ModelRule, Report, declare_rule, octal_cure, value_name},
 };
 
 declare_rule! {
@@ -50,9 +48,10 @@ impl ModelRule for OctalValue {
                 _ => continue,
             };
             let (keyword, value) = (value_name(problem.keyword()), report.quote(problem.span()));
+            let cure = octal_cure(report.text(problem.span()));
             report
                 .at(problem.span(), format!("{keyword} {value} {fact}"))
-                .help("leave out the leading zero, or write the number in hex");
+                .help(cure);
         }
     }
 }

@@ -1,9 +1,8 @@
-use super::words::value_name;
 use crate::{
     diagnostic::Level,
     literal::Note,
-    model::{Eds, Problem},
-    rules::{ModelRule, Report, declare_rule},
+    model::Eds,
+    rules::{ModelRule, Report, Unusual, declare_rule, unusual},
 };
 
 declare_rule! {
@@ -34,19 +33,11 @@ declare_rule! {
 
 impl ModelRule for RealAsBits {
     fn check(eds: &Eds, report: &mut Report) {
-        for problem in eds.problems() {
-            if let Problem::Unusual {
-                keyword,
-                note: Note::RealAsBits,
-                at,
-                ..
-            } = *problem
-            {
-                let (keyword, value) = (value_name(keyword), report.quote(at));
-                report
-                    .at(at, format!("{keyword} {value} is a real number given by its bits"))
-                    .help("write it in decimal");
-            }
+        for Unusual { keyword, at, .. } in unusual(eds, Note::RealAsBits) {
+            let value = report.quote(at);
+            report
+                .at(at, format!("{keyword} {value} is a real number given by its bits"))
+                .help("write it in decimal");
         }
     }
 }

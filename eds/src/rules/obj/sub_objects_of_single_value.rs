@@ -50,7 +50,7 @@ impl ReadingRule for SubObjectsOfSingleValue {
                         at,
                         format!("object {index:04X}h has sub-objects, but its ObjectType {number} allows none"),
                     )
-                    .help("remove them, or mend the ObjectType");
+                    .help("remove them, or fix the ObjectType");
             }
         }
     }

@@ -1,9 +1,9 @@
-use super::words::value_name;
 use crate::{
     diagnostic::Level,
-    literal::Note,
-    model::{Eds, Problem},
-    rules::{ModelRule, Report, declare_rule},
+    ir::{DataType, Value},
+    literal::{self, Note},
+    model::{Eds, Expected},
+    rules::{ModelRule, Report, Unusual, declare_rule, unusual},
 };
 
 declare_rule! {
@@ -35,19 +35,22 @@ declare_rule! {
 
 impl ModelRule for TwosComplement {
     fn check(eds: &Eds, report: &mut Report) {
-        for problem in eds.problems() {
-            if let Problem::Unusual {
-                keyword,
-                note: Note::TwosComplement,
-                at,
-                ..
-            } = *problem
-            {
-                let (keyword, value) = (value_name(keyword), report.quote(at));
-                report
-                    .at(at, format!("{keyword} {value} is a negative number in hex"))
-                    .help("write it in decimal, with a sign");
-            }
+        for Unusual { keyword, expected, at } in unusual(eds, Note::TwosComplement) {
+            let cure = match (expected, report.text(at)) {
+                (Expected::Value(data_type), text) => decimal(text, data_type),
+                _ => None,
+            };
+            let value = report.quote(at);
+            report
+                .at(at, format!("{keyword} {value} is a negative number in hex"))
+                .help(cure.unwrap_or_else(|| "write it in decimal, with a sign".into()));
         }
+    }
+}
+
+fn decimal(text: &str, data_type: DataType) -> Option<String> {
+    match literal::value(text, data_type).ok()?.value {
+        Value::Integer(value) => Some(format!("write `{value}`")),
+        _ => None,
     }
 }

@@ -1,4 +1,4 @@
-use super::words::{unreadable, value_name};
+use super::words::unreadable;
 
 use crate::{
     diagnostic::Level,
@@ -6,7 +6,7 @@ use crate::{
     ir::DataType,
     literal::Fault,
     model::{Eds, Expected, Problem},
-    rules::{ModelRule, Report, declare_rule},
+    rules::{ModelRule, Report, declare_rule, value_name},
 };
 
 declare_rule! {

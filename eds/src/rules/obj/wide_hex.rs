@@ -1,9 +1,10 @@
-use super::words::{more, unusual};
+use super::words::more;
 use crate::{
     diagnostic::Level,
+    ir::DataType,
     literal::Note,
-    model::Eds,
-    rules::{ModelRule, Report, declare_rule},
+    model::{Eds, Expected},
+    rules::{ModelRule, Report, Unusual, declare_rule, unusual},
 };
 
 declare_rule! {
@@ -35,11 +36,25 @@ declare_rule! {
 impl ModelRule for WideHex {
     fn check(eds: &Eds, report: &mut Report) {
         let mut found = unusual(eds, Note::WideHex);
-        if let Some((keyword, at)) = found.next() {
+        if let Some(Unusual { keyword, expected, at }) = found.next() {
+            let cure = match expected {
+                Expected::Value(data_type) => narrow(report.text(at), data_type),
+                _ => None,
+            };
             let (value, more) = (report.quote(at), more(found.count()));
             report
                 .at(at, format!("{keyword} {value} has more digits than its type{more}"))
-                .help("leave out leading zeros");
+                .help(cure.unwrap_or_else(|| "leave out leading zeros".into()));
         }
     }
+}
+
+fn narrow(text: &str, data_type: DataType) -> Option<String> {
+    let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"))?;
+    let wide = digits.len().checked_sub(data_type.bytes()? * 2)?;
+    let (zeros, digits) = digits.split_at_checked(wide)?;
+    zeros
+        .bytes()
+        .all(|byte| byte == b'0')
+        .then(|| format!("write `0x{digits}`"))
 }

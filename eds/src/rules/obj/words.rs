@@ -1,36 +1,9 @@
 //! What rules about values say alike.
 
-use crate::{
-    document::Keyword,
-    ir::DataType,
-    literal::{Fault, Note},
-    model::{Eds, Problem},
-    span::Span,
-};
+use crate::{ir::DataType, literal::Fault};
 
 /// Data types from here on are the vendor's or a profile's (CiA 301, data types).
 pub(super) const FIRST_OF_VENDORS: u16 = 0x40;
-
-/// The keyword, for a message; a line of the compact form has a number in place of one.
-pub(super) const fn value_name(keyword: Keyword) -> &'static str {
-    match keyword {
-        Keyword::Number(_) => "value",
-        keyword => keyword.name(),
-    }
-}
-
-/// The values that are written in the way of `note`: keyword and place.
-pub(super) fn unusual(eds: &Eds, note: Note) -> impl Iterator<Item = (&'static str, Span)> {
-    eds.problems().iter().filter_map(move |problem| match *problem {
-        Problem::Unusual {
-            keyword,
-            note: found,
-            at,
-            ..
-        } if found == note => Some((value_name(keyword), at)),
-        _ => None,
-    })
-}
 
 /// What a finding that stands for several says at the end.
 pub(super) fn more(number: usize) -> String {

@@ -1,0 +1,113 @@
+//! Each rule finds what its fixture shows, and nothing in the fixture's cure; each is documented.
+//!
+//! The rules about dumps (family DMP) are in `dump_rules.rs`.
+
+use std::{
+    collections::BTreeSet,
+    fs,
+    path::{Path, PathBuf},
+};
+
+use lexican_eds::{
+    Reading,
+    diagnostic::Diagnostic,
+    render::Renderer,
+    rules::{self, Levels, Rule},
+};
+
+fn root(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
+}
+
+fn read(name: &str) -> Reading {
+    let path = root("tests/fixtures/rules").join(name);
+    let bytes = fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    lexican_eds::read(name, bytes)
+}
+
+fn check(reading: &Reading) -> Vec<Diagnostic> {
+    rules::check(reading, &Levels::default())
+}
+
+/// The rules that look at files.
+fn rules_about_files() -> impl Iterator<Item = &'static Rule> {
+    rules::all().iter().filter(|rule| rule.code().family() != "DMP")
+}
+
+#[test]
+fn each_rule_finds_what_its_fixture_shows_once_and_nothing_else() {
+    for code in rules_about_files().map(Rule::code) {
+        let reading = read(&format!("{code}.eds"));
+        let found = check(&reading);
+        let codes: Vec<&str> = found.iter().map(|diagnostic| diagnostic.code.as_str()).collect();
+        assert_eq!(codes, [code.as_str()], "{code}.eds");
+        let text = Renderer::plain().render(reading.document.source(), &found[0]);
+        insta::assert_snapshot!(code.as_str(), text);
+    }
+}
+
+#[test]
+fn nothing_is_found_in_the_cure() {
+    for code in rules_about_files().map(Rule::code) {
+        let name = format!("{code}.fixed.eds");
+        assert_eq!(check(&read(&name)), [], "{name}");
+    }
+}
+
+#[test]
+fn each_fixture_belongs_to_a_rule() {
+    let codes: BTreeSet<&str> = rules::all().iter().map(|rule| rule.code().as_str()).collect();
+    for file in fs::read_dir(root("tests/fixtures/rules")).unwrap() {
+        let name = file.unwrap().file_name().into_string().unwrap();
+        let code = name.split('.').next().unwrap();
+        assert!(codes.contains(code), "{name} shows a rule that does not exist");
+    }
+}
+
+#[test]
+fn each_finding_says_how_to_mend_it_in_the_grammar_of_messages() {
+    for code in rules_about_files().map(Rule::code) {
+        for diagnostic in check(&read(&format!("{code}.eds"))) {
+            let message = &diagnostic.message;
+            assert!(!message.ends_with('.'), "{code}: `{message}` ends in a full stop");
+            let help = diagnostic.help.unwrap_or_else(|| panic!("{code} has no cure"));
+            assert!(!help.ends_with('.'), "{code}: `{help}` ends in a full stop");
+            assert!(
+                help.starts_with(|c: char| c.is_lowercase()),
+                "{code}: `{help}` is no part of a sentence"
+            );
+        }
+    }
+}
+
+#[test]
+fn each_rule_is_documented_under_the_same_headings() {
+    for rule in rules::all() {
+        let page = rule.documentation();
+        let headings: Vec<&str> = page.lines().filter(|line| line.starts_with("## ")).collect();
+        let expected = ["## What it does", "## Why it matters", "## Example", "## Reference"];
+        assert_eq!(headings, expected, "{}", rule.code());
+        assert!(rule.summary().ends_with('.'), "{}: {}", rule.code(), rule.summary());
+    }
+}
+
+#[test]
+fn the_manual_of_rules_is_fresh() {
+    let manual = fs::read_to_string(root("docs/rules.md")).unwrap_or_default();
+    assert!(
+        manual == rules::manual(),
+        "docs/rules.md is stale: run `cargo run -p lexican -- explain --all > docs/rules.md`"
+    );
+}
+
+#[test]
+fn findings_come_in_the_order_of_the_file_and_then_of_the_codes() {
+    let text = "[1017]\nObjectType=0x7\nDataType=0x0006\nAccessType=RW\n[FileInfo]\nFileRevision=08\n";
+    let found = check(&lexican_eds::read("x.eds", text.into()));
+    let order: Vec<_> = found
+        .iter()
+        .map(|diagnostic| (diagnostic.span.start, diagnostic.code.as_str()))
+        .collect();
+    assert!(order.is_sorted(), "{order:?}");
+    assert!(order.len() > 5, "{order:?}");
+}
