@@ -16,20 +16,11 @@ pub(super) fn read(source: &Source) -> (Vec<Section>, Vec<Problem>) {
         return foreign(what, first_text(source));
     }
     let mut reader = Reader::new(source);
-    let lines = ini::read(source);
-    for (number, line) in lines.iter().enumerate() {
-        reader.line(*line, || entries_below(&lines, number));
-    }
+    ini::read(source).for_each(|line| reader.line(line));
     if let Some((what, at)) = reader.foreign_format() {
         return foreign(what, at);
     }
     reader.finish()
-}
-
-/// How many pairs follow a header, about.
-fn entries_below(lines: &[Line], header: usize) -> usize {
-    let below = lines.iter().skip(header + 1);
-    below.take_while(|line| !matches!(line, Line::Header(_))).count()
 }
 
 struct Reader<'a> {
@@ -47,9 +38,9 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn line(&mut self, line: Line, entries: impl FnOnce() -> usize) {
+    fn line(&mut self, line: Line) {
         match line {
-            Line::Header(line) => self.header(line, entries()),
+            Line::Header { line, pairs } => self.header(line, pairs),
             Line::Pair { key, value } => self.pair(key, value),
             Line::MissingKey(at) => self.problems.push(Problem::MissingKeyword { at }),
             Line::HashComment(at) => self.problems.push(Problem::HashComment { at }),
@@ -57,7 +48,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn header(&mut self, line: Span, entries: usize) {
+    fn header(&mut self, line: Span, pairs: usize) {
         let Header {
             brackets: header,
             label,
@@ -80,7 +71,7 @@ impl<'a> Reader<'a> {
             name,
             header,
             label,
-            entries: Vec::with_capacity(entries),
+            entries: Vec::with_capacity(pairs),
         });
     }
 

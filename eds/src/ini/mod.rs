@@ -20,7 +20,11 @@ use pairs::Pairs;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Line {
     /// The header of a section; [`Header::of`] takes it apart.
-    Header(Span),
+    Header {
+        line: Span,
+        /// How many pairs stand between it and the next header.
+        pairs: usize,
+    },
     /// A key and its value without the blanks around them.
     Pair { key: Span, value: Span },
     /// `=value`
@@ -32,40 +36,41 @@ pub(crate) enum Line {
 }
 
 /// Reads the lines of `source`, in order.
-pub(crate) fn read(source: &Source) -> Vec<Line> {
+pub(crate) fn read(source: &Source) -> impl Iterator<Item = Line> {
     let mut pairs = Pairs::new(source.text());
+    let mut pairs_below = Vec::new();
     let mut lines = Vec::with_capacity(source.line_count() as usize);
     for whole in source.lines() {
         let line = source.slice(whole);
         let text = trim(line);
-        let kind = classify(text);
-        if kind == LineKind::Nothing {
-            continue;
-        }
         let start = whole.start as usize + leading(line, text);
         let span = Span::of(start..start + text.len());
-        if kind == LineKind::Pair {
-            pairs.add(span);
+        let kind = classify(text);
+        match kind {
+            LineKind::Nothing => continue,
+            LineKind::Header => pairs_below.push(0),
+            LineKind::Pair => {
+                pairs.add(span);
+                pairs_below.last_mut().into_iter().for_each(|count| *count += 1);
+            }
+            _ => {}
         }
         lines.push((kind, span));
     }
-    let mut read = pairs.read();
-    lines
-        .into_iter()
-        .map(|(kind, span)| line(kind, span, &mut read))
-        .collect()
-}
-
-fn line(kind: LineKind, span: Span, pairs: &mut impl Iterator<Item = (Span, Span)>) -> Line {
-    match kind {
-        LineKind::Header => Line::Header(span),
+    let mut pairs = pairs.read();
+    let mut pairs_below = pairs_below.into_iter();
+    lines.into_iter().map(move |(kind, line)| match kind {
+        LineKind::Header => Line::Header {
+            line,
+            pairs: pairs_below.next().unwrap_or(0),
+        },
         LineKind::Pair => pairs
             .next()
-            .map_or(Line::Junk(span), |(key, value)| Line::Pair { key, value }),
-        LineKind::MissingKey => Line::MissingKey(span),
-        LineKind::HashComment => Line::HashComment(span),
-        LineKind::Nothing | LineKind::Junk => Line::Junk(span),
-    }
+            .map_or(Line::Junk(line), |(key, value)| Line::Pair { key, value }),
+        LineKind::MissingKey => Line::MissingKey(line),
+        LineKind::HashComment => Line::HashComment(line),
+        LineKind::Nothing | LineKind::Junk => Line::Junk(line),
+    })
 }
 
 /// How many bytes of `line` stand before `text`, which is `line` trimmed.

@@ -80,11 +80,10 @@ fn locate(line: Span, (key, value): (usize, usize)) -> (Span, Span) {
 /// `line` with as many bytes, without what rust-ini would take for more than text: a `:` in the key, which it takes for
 /// `=`; a `\` before the `=`, which hides it; a `\` at the end, which glues the next line to this one.
 fn repair(line: &str) -> Cow<'_, str> {
-    let (key, value) = line.split_once('=').unwrap_or((line, ""));
-    let readable = !key.contains([':', '\\']) && !value.ends_with('\\');
-    if readable {
+    if !line.bytes().any(|byte| matches!(byte, b':' | b'\\')) {
         return Cow::Borrowed(line);
     }
+    let (key, value) = line.split_once('=').unwrap_or((line, ""));
     let key = key.replace([':', '\\'], "_");
     let value = value
         .strip_suffix('\\')

@@ -68,7 +68,7 @@ fn plain(key: &str) -> Keyword {
         .get(usize::from(slot(key.as_bytes())))
         .and_then(|at| PLAIN.get(usize::from(*at)));
     found
-        .filter(|(_, name)| name.eq_ignore_ascii_case(key))
+        .filter(|(_, name)| *name == key || name.eq_ignore_ascii_case(key))
         .map_or(Keyword::Unknown, |(keyword, _)| *keyword)
 }
 
