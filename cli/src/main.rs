@@ -23,7 +23,7 @@ use commands::Command;
 ///
 /// Checks EDS and DCF files against the CiA standards and generates Rust from them.
 #[derive(Parser)]
-#[command(version, max_term_width = 100, infer_subcommands = false)]
+#[command(version, max_term_width = 100)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,

@@ -17,6 +17,7 @@ use crate::{
 /// Reports each finding with its place, its rule and the cure. Ends with 0 when nothing is found at level deny, with 1
 /// when something is, with 2 when a file cannot be read.
 #[derive(Args)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Check {
     /// Files, directories with .eds and .dcf files in them, or `-` for standard input
     #[arg(required = true, value_name = "FILE|DIR")]
@@ -30,6 +31,12 @@ pub(crate) struct Check {
     #[arg(long = "level", value_name = "CODE=LEVEL")]
     levels: Vec<String>,
 }
+
+const EXAMPLES: &str = "\
+Examples:
+  lexican check pump.eds
+  lexican check devices --level INI=allow --level EDS006=deny
+  lexican check --format json - < pump.eds";
 
 impl Check {
     pub(crate) fn run(self) -> Result<Verdict, Failure> {

@@ -23,7 +23,7 @@ pub(crate) enum Format {
     /// For people: the line, a caret under the value, the cure
     #[default]
     Text,
-    /// For programs; docs/json.md describes it
+    /// For programs, as docs/json.md of the repository describes it
     Json,
 }
 

@@ -1,0 +1,8 @@
+//! The `lexican` command as a user meets it: the real binary, its output, its exit codes.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot be set up has failed")]
+
+mod check;
+mod explain;
+mod help;
+mod lexican;
