@@ -43,4 +43,28 @@ impl NodeId {
     pub const fn plus_u64(self, base: u64) -> u64 {
         base.wrapping_add(self.0 as u64)
     }
+
+    /// The value of the EDS formula `$NODEID + base` in an INTEGER8; the sum wraps.
+    #[must_use]
+    pub const fn plus_i8(self, base: i8) -> i8 {
+        base.wrapping_add_unsigned(self.0)
+    }
+
+    /// The value of the EDS formula `$NODEID + base` in an INTEGER16.
+    #[must_use]
+    pub const fn plus_i16(self, base: i16) -> i16 {
+        base.wrapping_add(self.0 as i16)
+    }
+
+    /// The value of the EDS formula `$NODEID + base` in an INTEGER32.
+    #[must_use]
+    pub const fn plus_i32(self, base: i32) -> i32 {
+        base.wrapping_add(self.0 as i32)
+    }
+
+    /// The value of the EDS formula `$NODEID + base` in an INTEGER64.
+    #[must_use]
+    pub const fn plus_i64(self, base: i64) -> i64 {
+        base.wrapping_add(self.0 as i64)
+    }
 }

@@ -29,7 +29,7 @@ pub mod device {
     use core::mem::offset_of;
 
     use lexican_runtime::od::{
-        Access, Boolean, DataType, Entry, Extra, OctetString, Table, TimeOfDay, Value, VisibleString, place,
+        Access, Boolean, DataType, Extra, OctetString, Row, Table, TimeOfDay, Value, VisibleString, place,
     };
     use lexican_runtime::{AbortCode, Address, NodeId, bytemuck};
 
@@ -217,7 +217,7 @@ pub mod device {
     }
 
     const TABLE: Table<'static> = Table {
-        entries: &place::<28, 30>(&SORTED, &SEEDS),
+        entries: &place::<30>(&ROWS, &SEEDS),
         seeds: &SEEDS,
         extras: &EXTRAS,
         constants: &CONSTANTS,
@@ -228,95 +228,82 @@ pub mod device {
     const RW: Access = RO.with(WO);
     const CONST: Access = RO.with(Access::CONSTANT);
 
-    const SORTED: [Entry; 28] = [
-        Entry::new(0x1000, 0, DataType::UNSIGNED32, CONST, 0),
-        Entry::new(
+    const ROWS: [Row; 26] = [
+        Row::value(0x1000, 0, DataType::UNSIGNED32, CONST, 0),
+        Row::value(
             0x1001,
             0,
             DataType::UNSIGNED8,
             RO.with(Access::TPDO),
             offset_of!(Dictionary, error_register),
         ),
-        Entry::new(0x1008, 0, DataType::VISIBLE_STRING, CONST.with(Access::EXTRA), 0),
-        Entry::new(
+        Row::value(0x1008, 0, DataType::VISIBLE_STRING, CONST.with(Access::EXTRA), 0),
+        Row::value(
             0x1014,
             0,
             DataType::UNSIGNED32,
             RW.with(Access::NODE_ID),
             offset_of!(Dictionary, cob_id_emcy),
         ),
-        Entry::new(
+        Row::value(
             0x1017,
             0,
             DataType::UNSIGNED16,
             RW,
             offset_of!(Dictionary, producer_heartbeat_time),
         ),
-        Entry::new(0x1018, 0, DataType::UNSIGNED8, CONST, 18),
-        Entry::new(0x1018, 1, DataType::UNSIGNED32, CONST, 19),
-        Entry::new(0x1200, 0, DataType::UNSIGNED8, CONST, 23),
-        Entry::new(
+        Row::value(0x1018, 0, DataType::UNSIGNED8, CONST, 18),
+        Row::value(0x1018, 1, DataType::UNSIGNED32, CONST, 19),
+        Row::value(0x1200, 0, DataType::UNSIGNED8, CONST, 23),
+        Row::value(
             0x1200,
             1,
             DataType::UNSIGNED32,
             RO.with(Access::NODE_ID),
             offset_of!(Dictionary, sdo_server_parameter) + offset_of!(SdoServerParameter, cob_id_client_to_server),
         ),
-        Entry::new(
+        Row::value(
             0x1200,
             2,
             DataType::UNSIGNED32,
             RO.with(Access::NODE_ID),
             offset_of!(Dictionary, sdo_server_parameter) + offset_of!(SdoServerParameter, cob_id_server_to_client),
         ),
-        Entry::new(0x2000, 0, DataType::UNSIGNED8, RW.with(Access::EXTRA), 1),
-        Entry::new(0x2001, 0, DataType::BOOLEAN, RW, offset_of!(Dictionary, enabled)),
-        Entry::new(0x2002, 0, DataType::UNSIGNED64, RW, offset_of!(Dictionary, serial)),
-        Entry::new(0x2003, 0, DataType::INTEGER40, RW.with(Access::EXTRA), 2),
-        Entry::new(0x2004, 0, DataType::REAL64, RW.with(Access::EXTRA), 3),
-        Entry::new(0x2005, 0, DataType::REAL32, RW.with(Access::EXTRA), 4),
-        Entry::new(0x2006, 0, DataType::INTEGER24, RW.with(Access::EXTRA), 5),
-        Entry::new(0x2007, 0, DataType::TIME_OF_DAY, RW, offset_of!(Dictionary, clock)),
-        Entry::new(0x2008, 0, DataType::UNSIGNED8, WO, offset_of!(Dictionary, command)),
-        Entry::new(0x2009, 0, DataType::VISIBLE_STRING, RW.with(Access::EXTRA), 6),
-        Entry::new(0x200A, 0, DataType::OCTET_STRING, RW.with(Access::EXTRA), 7),
-        Entry::new(
+        Row::value(0x2000, 0, DataType::UNSIGNED8, RW.with(Access::EXTRA), 1),
+        Row::value(0x2001, 0, DataType::BOOLEAN, RW, offset_of!(Dictionary, enabled)),
+        Row::value(0x2002, 0, DataType::UNSIGNED64, RW, offset_of!(Dictionary, serial)),
+        Row::value(0x2003, 0, DataType::INTEGER40, RW.with(Access::EXTRA), 2),
+        Row::value(0x2004, 0, DataType::REAL64, RW.with(Access::EXTRA), 3),
+        Row::value(0x2005, 0, DataType::REAL32, RW.with(Access::EXTRA), 4),
+        Row::value(0x2006, 0, DataType::INTEGER24, RW.with(Access::EXTRA), 5),
+        Row::value(0x2007, 0, DataType::TIME_OF_DAY, RW, offset_of!(Dictionary, clock)),
+        Row::value(0x2008, 0, DataType::UNSIGNED8, WO, offset_of!(Dictionary, command)),
+        Row::value(0x2009, 0, DataType::VISIBLE_STRING, RW.with(Access::EXTRA), 6),
+        Row::value(0x200A, 0, DataType::OCTET_STRING, RW.with(Access::EXTRA), 7),
+        Row::value(
             0x6003,
             0,
             DataType::UNSIGNED32,
             RW.with(Access::WRITE_HANDLER),
             offset_of!(Dictionary, preset_value),
         ),
-        Entry::new(
+        Row::value(
             0x6004,
             0,
             DataType::UNSIGNED32,
             RO.with(Access::TPDO).with(Access::READ_HANDLER),
             offset_of!(Dictionary, position_value),
         ),
-        Entry::new(0x6030, 0, DataType::UNSIGNED8, CONST, 24),
-        Entry::new(
+        Row::value(0x6030, 0, DataType::UNSIGNED8, CONST, 24),
+        Row::elements(
             0x6030,
             1,
+            3,
             DataType::INTEGER16,
             RO.with(Access::TPDO),
             offset_of!(Dictionary, speed_value),
         ),
-        Entry::new(
-            0x6030,
-            2,
-            DataType::INTEGER16,
-            RO.with(Access::TPDO),
-            offset_of!(Dictionary, speed_value) + 2,
-        ),
-        Entry::new(
-            0x6030,
-            3,
-            DataType::INTEGER16,
-            RO.with(Access::TPDO),
-            offset_of!(Dictionary, speed_value) + 4,
-        ),
-        Entry::new(
+        Row::value(
             0x6200,
             0,
             DataType::UNSIGNED16,

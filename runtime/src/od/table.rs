@@ -5,7 +5,7 @@
 //! that are still free. With a third as many seeds as entries, and a place in 32 left empty, that takes a few thousand
 //! tries for any bucket, of 100 entries or of 10,000, and the whole costs 8.9 bytes an entry.
 
-use super::{Access, Entry, Extra};
+use super::{Access, Entry, Extra, Row};
 use crate::Address;
 
 /// A dictionary's description. Generated ones stand in flash; a simulated one may own its parts.
@@ -43,20 +43,24 @@ const fn slot(key: u32, seed: u16, entries: usize) -> usize {
     scale((key ^ seed as u32).wrapping_mul(0x85EB_CA6B), entries)
 }
 
-/// Lays `sorted` out for [`Table::find`], at compile time.
+/// Lays `rows` out for [`Table::find`], at compile time.
 ///
 /// # Panics
-/// At compile time only, when `seeds` were not made for these entries.
+/// At compile time only, when `seeds` were not made for these rows.
 #[must_use]
-pub const fn place<const N: usize, const PLACES: usize>(sorted: &[Entry; N], seeds: &[u16]) -> [Entry; PLACES] {
+pub const fn place<const PLACES: usize>(rows: &[Row], seeds: &[u16]) -> [Entry; PLACES] {
     let mut placed = [Entry::EMPTY; PLACES];
-    let mut i = 0;
-    while i < N {
-        let entry = sorted[i];
-        let at = place_of(Address::new(entry.index, entry.sub), seeds, PLACES);
-        assert!(placed[at].data_type.0 == 0, "these seeds were made for other entries");
-        placed[at] = entry;
-        i += 1;
+    let mut row = 0;
+    while row < rows.len() {
+        let mut nth = 0;
+        while nth < rows[row].values() {
+            let entry = rows[row].entry(nth);
+            let at = place_of(entry.address(), seeds, PLACES);
+            assert!(placed[at].data_type.0 == 0, "these seeds were made for other rows");
+            placed[at] = entry;
+            nth += 1;
+        }
+        row += 1;
     }
     placed
 }

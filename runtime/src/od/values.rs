@@ -164,3 +164,12 @@ impl fmt::Debug for TimeOfDay {
         write!(f, "{} d {} ms", self.days(), self.milliseconds())
     }
 }
+
+/// Sets the element of an ARRAY's field that stands for `sub`, 1 for the first; another `sub` changes nothing.
+///
+/// Generated code stores by it what a handler of an ARRAY gives.
+pub fn set_element<T>(array: &mut [T], sub: u8, value: T) {
+    if let Some(element) = usize::from(sub).checked_sub(1).and_then(|at| array.get_mut(at)) {
+        *element = value;
+    }
+}
