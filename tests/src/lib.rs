@@ -3,6 +3,7 @@
 pub mod bus;
 pub mod client;
 pub mod dialogue;
+pub mod generated;
 pub mod line;
 pub mod sample;
 pub mod simulated;

@@ -1,0 +1,88 @@
+//! What the builder was told, held against the file.
+
+use lexican_eds::ir::{Dictionary, Entry, Object};
+
+use crate::{
+    Error, Selector,
+    emit::facts::{is_string, quoted},
+    plan::{Options, Plan},
+};
+
+/// Offsets into values and constants have 16 bits.
+const REACH: usize = 0x1_0000;
+
+/// Whether every object that the builder names is there, and can be what the builder has it be.
+pub(crate) fn selectors(dictionary: &Dictionary, file: &str, options: &Options) -> Result<(), Error> {
+    let Options {
+        reads,
+        writes,
+        capacities,
+    } = options;
+    let strings: Vec<Selector> = capacities.iter().map(|&(selector, _)| selector).collect();
+    for &selector in reads.iter().chain(writes).chain(&strings) {
+        if selector.values(dictionary).next().is_none() {
+            return Err(missing(dictionary, file, selector));
+        }
+    }
+    let without = |selectors: &[Selector], wanted: fn(&Entry) -> bool| {
+        let mut selectors = selectors.iter().copied();
+        selectors.find(|selector| !selector.values(dictionary).any(wanted))
+    };
+    let file = file.to_owned();
+    let one_way = |some: &[Selector], others: &[Selector]| -> Vec<Selector> {
+        some.iter()
+            .copied()
+            .filter(|selector| !others.contains(selector))
+            .collect()
+    };
+    if let Some(selector) = without(&one_way(reads, writes), |entry| entry.access.readable()) {
+        return Err(Error::NotReadable { selector, file });
+    }
+    if let Some(selector) = without(&one_way(writes, reads), |entry| entry.access.writable()) {
+        return Err(Error::NotWritable { selector, file });
+    }
+    match without(&strings, |entry| is_string(entry.data_type)) {
+        Some(selector) => Err(Error::NotAString { selector, file }),
+        None => Ok(()),
+    }
+}
+
+/// Whether the runtime's table reaches everything.
+pub(crate) fn size(plan: &Plan<'_>) -> Result<(), Error> {
+    let [values, constants] = [plan.size(), plan.pool.len()];
+    if values <= REACH && constants <= REACH {
+        return Ok(());
+    }
+    Err(Error::TooLarge {
+        file: plan.file.to_owned(),
+        values,
+        constants,
+    })
+}
+
+fn missing(dictionary: &Dictionary, file: &str, selector: Selector) -> Error {
+    let near = match dictionary.object(selector.index()) {
+        Some(object) => sub_indices(object),
+        None => neighbours(dictionary, selector.index()),
+    };
+    let file = file.to_owned();
+    Error::NoSuchObject { selector, file, near }
+}
+
+/// The values of an object that has not the one that was asked for.
+fn sub_indices(object: &Object) -> Vec<String> {
+    let entries = object.entries.iter();
+    entries
+        .map(|entry| format!("{} {}", entry.address, quoted(&entry.name)))
+        .collect()
+}
+
+/// The three objects whose indices come nearest.
+fn neighbours(dictionary: &Dictionary, index: u16) -> Vec<String> {
+    let mut objects: Vec<&Object> = dictionary.objects.iter().collect();
+    objects.sort_by_key(|object| object.index.abs_diff(index));
+    objects.truncate(3);
+    objects.sort_by_key(|object| object.index);
+    let title = |object: &&Object| format!("{:04X}h {}", object.index, quoted(&object.name));
+    objects.iter().map(title).collect()
+}

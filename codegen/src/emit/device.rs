@@ -1,0 +1,206 @@
+//! The device: the dictionary and the application together, as the runtime sees them.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Arm, Expr, ImplItem, Item as SynItem, parse_quote};
+
+use super::{
+    node::{ident, number},
+    rust_type,
+};
+use crate::{
+    name::field_ident,
+    plan::{Item, Kind, Plan},
+};
+
+/// So many arms stand in one function: Clippy counts its lines.
+const ARMS: usize = 15;
+
+/// The struct, its constructor and the runtime's trait.
+pub(super) fn declaration(plan: &Plan<'_>) -> Vec<SynItem> {
+    let device = parse_quote! {
+        /// The device: its dictionary, and the application behind it.
+        #[derive(Clone, Debug)]
+        pub struct Device<H> {
+            /// The dictionary.
+            pub od: Dictionary,
+            /// The application.
+            pub handlers: H,
+        }
+    };
+    let constructor = parse_quote! {
+        impl<H> Device<H> {
+            /// The device after power-on; the node gives it its node-ID.
+            #[must_use]
+            pub const fn new(handlers: H) -> Self {
+                Self { od: Dictionary::DEFAULTS, handlers }
+            }
+        }
+    };
+    let mut items = vec![device, constructor];
+    let reads = Dispatch::new(quote!(before_read), plan.reads().map(read_arm));
+    let writes = Dispatch::new(quote!(before_write), plan.writes().map(write_arm));
+    items.push(implementation(plan, &reads, &writes));
+    items.extend(overflow(&reads, &writes));
+    items
+}
+
+fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynItem {
+    let buffer = number(&plan.buffer().to_string());
+    let read = reads.first(&quote!());
+    let write = writes.first(&quote!(value: Value<'_>));
+    parse_quote! {
+        impl<H: Handlers> lexican_runtime::Device for Device<H> {
+            type Buffer = [u8; #buffer];
+
+            #[inline]
+            fn table(&self) -> Table<'_> { TABLE }
+
+            #[inline]
+            fn values(&self) -> &[u8] { bytemuck::bytes_of(&self.od) }
+
+            #[inline]
+            fn values_mut(&mut self) -> &mut [u8] { bytemuck::bytes_of_mut(&mut self.od) }
+
+            #[inline]
+            fn defaults(&self) -> &[u8] { bytemuck::bytes_of(&Dictionary::DEFAULTS) }
+
+            #[inline]
+            fn buffer(&self) -> Self::Buffer { [0; #buffer] }
+
+            #read
+            #write
+        }
+    }
+}
+
+/// What did not fit into the first function of each kind.
+fn overflow(reads: &Dispatch, writes: &Dispatch) -> Option<SynItem> {
+    let methods: Vec<ImplItem> = reads
+        .rest(&quote!())
+        .into_iter()
+        .chain(writes.rest(&quote!(value: Value<'_>)))
+        .collect();
+    if methods.is_empty() {
+        return None;
+    }
+    Some(parse_quote!(impl<H: Handlers> Device<H> { #(#methods)* }))
+}
+
+/// The choice of a handler by its address.
+struct Dispatch {
+    name: TokenStream,
+    arms: Vec<Arm>,
+}
+
+impl Dispatch {
+    fn new(name: TokenStream, arms: impl Iterator<Item = Arm>) -> Self {
+        let arms = arms.collect();
+        Self { name, arms }
+    }
+
+    /// The trait's method.
+    fn first(&self, value: &TokenStream) -> ImplItem {
+        self.method(0, self.arms.chunks(ARMS).next().unwrap_or_default(), value)
+    }
+
+    /// The methods that it goes on in.
+    fn rest(&self, value: &TokenStream) -> Vec<ImplItem> {
+        let rest = self.arms.chunks(ARMS).enumerate().skip(1);
+        rest.map(|(number, arms)| self.method(number, arms, value)).collect()
+    }
+
+    fn method(&self, number: usize, arms: &[Arm], value: &TokenStream) -> ImplItem {
+        let name = self.part(number);
+        if arms.is_empty() {
+            let value = (!value.is_empty()).then(|| quote!(_: Value<'_>));
+            return parse_quote!(fn #name(&mut self, _: Address, #value) -> Result<(), AbortCode> { Ok(()) });
+        }
+        let otherwise = self.otherwise(number, value);
+        parse_quote! {
+            fn #name(&mut self, address: Address, #value) -> Result<(), AbortCode> {
+                let Self { od, handlers } = self;
+                match (address.index, address.sub) {
+                    #(#arms,)*
+                    _ => #otherwise,
+                }
+            }
+        }
+    }
+
+    /// What is done for an address that has no arm in the method `number`.
+    fn otherwise(&self, number: usize, value: &TokenStream) -> Expr {
+        if (number + 1) * ARMS >= self.arms.len() {
+            return parse_quote!(Ok(()));
+        }
+        let next = self.part(number + 1);
+        let value = (!value.is_empty()).then(|| quote!(value));
+        parse_quote!(self.#next(address, #value))
+    }
+
+    fn part(&self, number: usize) -> syn::Ident {
+        let name = &self.name;
+        match number {
+            0 => ident(&name.to_string()),
+            number => ident(&format!("{name}_{number}")),
+        }
+    }
+}
+
+fn read_arm(item: &Item<'_>) -> Arm {
+    let pattern = pattern(item, &item.reads);
+    let method = ident(&format!("read_{}", item.name));
+    let field = ident(&field_ident(&item.name));
+    if item.is_array {
+        let value: Expr = if item.kind == Kind::Boolean {
+            parse_quote!(value.into())
+        } else {
+            parse_quote!(value)
+        };
+        return parse_quote!(#pattern => handlers.#method(od, sub).map(|value| set_element(&mut od.#field, sub, #value)));
+    }
+    match item.kind {
+        Kind::Boolean => parse_quote!(#pattern => handlers.#method(od).map(|value| od.#field = value.into())),
+        _ => parse_quote!(#pattern => handlers.#method(od).map(|value| od.#field = value)),
+    }
+}
+
+fn write_arm(item: &Item<'_>) -> Arm {
+    let pattern = pattern(item, &item.writes);
+    let method = ident(&format!("write_{}", item.name));
+    let conversion = ident(&rust_type::conversion(item.kind));
+    let sub = item.is_array.then(|| quote!(sub,));
+    parse_quote!(#pattern => handlers.#method(od, #sub value.#conversion()))
+}
+
+/// `(0x6004, 0x00)`, `(0x6030, sub @ 0x01..=0x03)`
+fn pattern(item: &Item<'_>, subs: &[u8]) -> TokenStream {
+    let index = number(&format!("0x{:04X}", item.object.index));
+    let runs = subs.chunk_by(|a, b| a + 1 == *b).map(run);
+    let sub: TokenStream = if item.is_array {
+        binding(&runs.collect::<Vec<_>>())
+    } else {
+        runs.collect()
+    };
+    quote!((#index, #sub))
+}
+
+/// `sub @ 0x01`, `sub @ (0x01 | 0x03)`
+fn binding(runs: &[TokenStream]) -> TokenStream {
+    match runs {
+        [run] => quote!(sub @ #run),
+        runs => quote!(sub @ (#(#runs)|*)),
+    }
+}
+
+/// Sub-indices that follow one another.
+fn run(subs: &[u8]) -> TokenStream {
+    let hex = |sub: &u8| number(&format!("0x{sub:02X}"));
+    match subs {
+        [first, .., last] => {
+            let (first, last) = (hex(first), hex(last));
+            quote!(#first..=#last)
+        }
+        subs => subs.iter().map(hex).map(|sub| quote!(#sub)).collect(),
+    }
+}

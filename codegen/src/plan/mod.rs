@@ -1,0 +1,127 @@
+//! What is to be generated, decided: every choice is made here, the emitters only write it down.
+
+mod item;
+mod kind;
+mod limits;
+mod options;
+mod pool;
+mod row;
+mod seeds;
+mod storage;
+
+use lexican_eds::ir::{Address, Dictionary};
+
+pub(crate) use item::Item;
+pub(crate) use kind::{Kind, Width};
+pub(crate) use options::Options;
+pub(crate) use pool::Pool;
+pub(crate) use row::{Extra, Place, Row, Slot};
+pub(crate) use seeds::Seeds;
+pub(crate) use storage::Storage;
+
+use row::Layout;
+
+/// A dictionary as it will be generated.
+#[derive(Debug)]
+pub(crate) struct Plan<'a> {
+    pub(crate) dictionary: &'a Dictionary,
+    /// The file's name, as documentation gives it.
+    pub(crate) file: &'a str,
+    /// The module's name.
+    pub(crate) module: String,
+    /// Fields and constants, in the order of addresses.
+    pub(crate) items: Vec<Item<'a>>,
+    /// The table, in the order of addresses.
+    pub(crate) rows: Vec<Row<'a>>,
+    pub(crate) extras: Vec<Extra>,
+    pub(crate) pool: Pool,
+    pub(crate) seeds: Seeds,
+}
+
+/// What the SDO server's buffer holds at least: the widest number, which may be sent in segments too.
+const WIDEST_NUMBER: usize = 8;
+
+impl<'a> Plan<'a> {
+    /// Decides on `dictionary`.
+    pub(crate) fn new(dictionary: &'a Dictionary, file: &'a str, module: String, options: &Options) -> Self {
+        let items = Item::all(dictionary, options);
+        let Layout { rows, extras, pool } = Layout::new(&items);
+        let addresses: Vec<Address> = rows.iter().map(|row| row.entry.address).collect();
+        Self {
+            dictionary,
+            file,
+            module,
+            items,
+            rows,
+            extras,
+            pool,
+            seeds: Seeds::search(&addresses),
+        }
+    }
+
+    /// The items that are fields, in the struct's order: the widest first, so that no padding is needed between them.
+    pub(crate) fn fields(&self) -> Vec<&Item<'a>> {
+        let mut fields: Vec<&Item<'_>> = self
+            .items
+            .iter()
+            .filter(|item| item.storage == Storage::Field)
+            .collect();
+        fields.sort_by_key(|item| std::cmp::Reverse(item.kind.alignment()));
+        fields
+    }
+
+    /// The items that are constants, in the order of addresses.
+    pub(crate) fn constants(&self) -> impl Iterator<Item = &Item<'a>> {
+        self.items.iter().filter(|item| item.storage == Storage::Constant)
+    }
+
+    /// The items that the application answers for when a client reads them.
+    pub(crate) fn reads(&self) -> impl Iterator<Item = &Item<'a>> {
+        self.items.iter().filter(|item| !item.reads.is_empty())
+    }
+
+    /// The items that the application answers for when a client writes them.
+    pub(crate) fn writes(&self) -> impl Iterator<Item = &Item<'a>> {
+        self.items.iter().filter(|item| !item.writes.is_empty())
+    }
+
+    /// Bytes that fill the struct up to a multiple of its alignment.
+    pub(crate) fn padding(&self) -> usize {
+        let fields = self.fields();
+        let size: usize = fields.iter().map(|item| item.size()).sum();
+        let alignment = fields.iter().map(|item| item.kind.alignment()).max().unwrap_or(1);
+        size.next_multiple_of(alignment) - size
+    }
+
+    /// Bytes of the struct.
+    pub(crate) fn size(&self) -> usize {
+        self.fields().iter().map(|item| item.size()).sum::<usize>() + self.padding()
+    }
+
+    /// Bytes that the longest value needs on its way.
+    pub(crate) fn buffer(&self) -> usize {
+        let capacities = self.fields().into_iter().filter_map(|item| item.kind.capacity());
+        capacities.fold(WIDEST_NUMBER, usize::max)
+    }
+}
+
+#[cfg(test)]
+pub(crate) fn test_entry(index: u16, sub: u8, data_type: lexican_eds::ir::DataType) -> lexican_eds::ir::Entry {
+    lexican_eds::ir::Entry {
+        address: Address::new(index, sub),
+        name: String::new(),
+        data_type,
+        access: lexican_eds::ir::AccessType::Rw,
+        pdo_mapping: false,
+        default: None,
+        configured: false,
+        low: None,
+        high: None,
+        refuse_write_on_download: false,
+        refuse_read_on_scan: false,
+        denotation: None,
+        upload_file: None,
+        download_file: None,
+        spans: lexican_eds::ir::EntrySpans::default(),
+    }
+}

@@ -1,0 +1,248 @@
+//! What generated code does, of every kind of object: `tests/fixtures/codegen/every_kind.eds`, compiled as
+//! `tests/generated/every_kind.snap.rs`.
+
+use lexican_runtime::{
+    AbortCode, Address, Device as _, NodeId,
+    od::{self, OctetString, TimeOfDay, VisibleString},
+};
+use lexican_tests::{
+    bus::Bus,
+    generated::every_kind::{Device, Dictionary, Handlers},
+};
+
+/// Notes what it is asked, refuses `Command` 3.
+#[derive(Default)]
+struct App {
+    log: Vec<String>,
+}
+
+impl Handlers for App {
+    fn read_switch(&mut self, od: &mut Dictionary) -> Result<bool, AbortCode> {
+        Ok(!od.switch.get())
+    }
+
+    fn read_note(&mut self, _: &mut Dictionary) -> Result<VisibleString<3>, AbortCode> {
+        Ok(VisibleString::new(b"now"))
+    }
+
+    fn read_program(&mut self, _: &mut Dictionary) -> Result<OctetString<100>, AbortCode> {
+        Err(AbortCode::NO_DATA)
+    }
+
+    fn read_clock(&mut self, _: &mut Dictionary) -> Result<TimeOfDay, AbortCode> {
+        Ok(TimeOfDay::new(1, 2))
+    }
+
+    fn read_motto(&mut self, _: &mut Dictionary) -> Result<VisibleString<23>, AbortCode> {
+        Ok(VisibleString::new(b"answered"))
+    }
+
+    fn read_switches(&mut self, _: &mut Dictionary, sub: u8) -> Result<bool, AbortCode> {
+        Ok(sub == 1)
+    }
+
+    fn read_position_value(&mut self, od: &mut Dictionary) -> Result<u32, AbortCode> {
+        Ok(od.position_value + 1)
+    }
+
+    fn read_speed_value(&mut self, _: &mut Dictionary, sub: u8) -> Result<i16, AbortCode> {
+        Ok(-i16::from(sub))
+    }
+
+    fn write_store_parameters(&mut self, _: &mut Dictionary, sub: u8, value: u32) -> Result<(), AbortCode> {
+        self.log.push(format!("store {sub} {value:08X}"));
+        Ok(())
+    }
+
+    fn write_limited_list(&mut self, _: &mut Dictionary, sub: u8, value: i16) -> Result<(), AbortCode> {
+        self.log.push(format!("list {sub} {value}"));
+        Ok(())
+    }
+
+    fn write_switch(&mut self, _: &mut Dictionary, value: bool) -> Result<(), AbortCode> {
+        self.log.push(format!("switch {value}"));
+        Ok(())
+    }
+
+    fn write_command(&mut self, od: &mut Dictionary, value: u8) -> Result<(), AbortCode> {
+        self.log.push(format!("command {value} after {}", od.command));
+        if value == 3 {
+            Err(AbortCode::DEVICE_STATE)
+        } else {
+            Ok(())
+        }
+    }
+
+    fn write_note(&mut self, _: &mut Dictionary, value: &[u8]) -> Result<(), AbortCode> {
+        self.log.push(format!("note {value:02X?}"));
+        Ok(())
+    }
+
+    fn write_program(&mut self, _: &mut Dictionary, value: &[u8]) -> Result<(), AbortCode> {
+        self.log.push(format!("program of {} bytes", value.len()));
+        Ok(())
+    }
+
+    fn write_clock(&mut self, _: &mut Dictionary, value: TimeOfDay) -> Result<(), AbortCode> {
+        self.log.push(format!("clock {value:?}"));
+        Ok(())
+    }
+
+    fn write_switches(&mut self, _: &mut Dictionary, sub: u8, value: bool) -> Result<(), AbortCode> {
+        self.log.push(format!("switches {sub} {value}"));
+        Ok(())
+    }
+
+    fn write_preset_value(&mut self, _: &mut Dictionary, value: u32) -> Result<(), AbortCode> {
+        self.log.push(format!("preset {value}"));
+        Ok(())
+    }
+}
+
+fn device() -> Device<App> {
+    Device::new(App::default())
+}
+
+fn read(device: &mut Device<App>, index: u16, sub: u8) -> Result<Vec<u8>, AbortCode> {
+    bytes(od::read(device, Address::new(index, sub))?)
+}
+
+/// A value as it goes on the bus.
+#[expect(clippy::unnecessary_wraps, reason = "ends a chain of results")]
+fn bytes(value: od::Value<'_>) -> Result<Vec<u8>, AbortCode> {
+    Ok(match value {
+        od::Value::Number { bits, data_type } => bits.to_le_bytes()[..data_type.length()].to_vec(),
+        od::Value::Bytes(bytes) => bytes.to_vec(),
+    })
+}
+
+fn write(device: &mut Device<App>, index: u16, sub: u8, data: &[u8]) -> Result<(), AbortCode> {
+    od::write(device, &mut (), Address::new(index, sub), data)
+}
+
+#[test]
+fn constants_are_read_and_take_no_ram() {
+    let mut device = device();
+    assert_eq!(read(&mut device, 0x1008, 0).unwrap(), b"Every kind");
+    assert_eq!(read(&mut device, 0x2104, 0).unwrap(), [0x00, 0x00, 0x80], "INTEGER24");
+    assert_eq!(read(&mut device, 0x2305, 2).unwrap(), b"two");
+    assert_eq!(write(&mut device, 0x2104, 0, &[0; 3]), Err(AbortCode::READ_ONLY));
+    assert_eq!(Dictionary::CONSTANT_LIST, [-1, 2]);
+    assert_eq!(Dictionary::CONSTANT_UNICODE_STRING, "Größe");
+}
+
+#[test]
+fn a_field_is_what_a_client_reads_and_writes() {
+    let mut device = device();
+    device.od.value_integer40 = -2;
+    assert_eq!(read(&mut device, 0x2005, 0).unwrap(), [0xFE, 0xFF, 0xFF, 0xFF, 0xFF]);
+    write(&mut device, 0x2005, 0, &[0x01, 0, 0, 0, 0x80]).unwrap();
+    assert_eq!(device.od.value_integer40, -0x7F_FFFF_FFFF);
+    write(&mut device, 0x2011, 0, &1.5_f32.to_le_bytes()).unwrap();
+    assert_eq!(device.od.value_real32.to_bits(), 1.5_f32.to_bits());
+    write(&mut device, 0x2301, 0xFE, &[9]).unwrap();
+    assert_eq!(device.od.long_list[0xFD], 9);
+}
+
+#[test]
+fn a_string_is_as_long_as_it_is_written_up_to_its_capacity() {
+    let mut device = device();
+    write(&mut device, 0x2013, 0, b"a longer text").unwrap();
+    assert_eq!(device.od.value_visible_string.as_str(), Some("a longer text"));
+    assert_eq!(write(&mut device, 0x2013, 0, &[b'x'; 21]), Err(AbortCode::TOO_LONG));
+    assert_eq!(read(&mut device, 0x2013, 0).unwrap(), b"a longer text");
+    write(&mut device, 0x2303, 1, b"first").unwrap();
+    assert_eq!(device.od.list_of_texts[0].as_str(), Some("first"));
+    assert_eq!(device.od.list_of_texts[1].as_str(), Some("second"));
+}
+
+#[test]
+fn the_limits_of_each_element_are_its_own() {
+    let mut device = device();
+    assert_eq!(write(&mut device, 0x2300, 2, &20_i16.to_le_bytes()), Ok(()));
+    assert_eq!(
+        write(&mut device, 0x2300, 2, &21_i16.to_le_bytes()),
+        Err(AbortCode::VALUE_TOO_HIGH)
+    );
+    assert_eq!(write(&mut device, 0x2300, 3, &21_i16.to_le_bytes()), Ok(()));
+    assert_eq!(
+        write(&mut device, 0x2300, 1, &(-11_i16).to_le_bytes()),
+        Err(AbortCode::VALUE_TOO_LOW)
+    );
+    assert_eq!(device.od.limited_list, [1, 20, 21]);
+    assert_eq!(device.handlers.log, ["list 3 21"], "sub-index 2 is not handled");
+}
+
+#[test]
+fn formulas_follow_the_node_id() {
+    let od = Dictionary::new(NodeId::new(0x21).unwrap());
+    assert_eq!(od.cob_id_emcy, 0xA1);
+    assert_eq!(od.formula_unsigned8, 0x21);
+    assert_eq!(od.formula_integer16, 0x31);
+    assert_eq!(od.formula_unsigned64, 0x1_0000_0021);
+    assert_eq!(od.formula_list, [0x221, 5]);
+    Bus::booted(device(), 0x21)
+        .send("621#4014100000000000")
+        .expect("5A1#43141000A1000000")
+        .send("621#4002240000000000")
+        .expect("5A1#4B02240031000000");
+}
+
+#[test]
+fn the_application_gives_what_is_read() {
+    let mut device = device();
+    assert_eq!(read(&mut device, 0x2600, 0).unwrap(), [1]);
+    assert_eq!(read(&mut device, 0x2602, 0).unwrap(), b"now");
+    assert_eq!(device.od.note.as_str(), Some("now"), "what is sent is stored too");
+    assert_eq!(read(&mut device, 0x2603, 0), Err(AbortCode::NO_DATA));
+    assert_eq!(read(&mut device, 0x2604, 0).unwrap(), [2, 0, 0, 0, 1, 0]);
+    assert_eq!(
+        read(&mut device, 0x2605, 0).unwrap(),
+        b"answered",
+        "a constant that is answered for"
+    );
+    assert_eq!(read(&mut device, 0x2606, 1).unwrap(), [1]);
+    assert_eq!(read(&mut device, 0x2606, 2).unwrap(), [0]);
+    assert_eq!(read(&mut device, 0x6004, 0).unwrap(), [1, 0, 0, 0]);
+    assert_eq!(read(&mut device, 0x6004, 0).unwrap(), [2, 0, 0, 0]);
+    assert_eq!(read(&mut device, 0x6030, 3).unwrap(), [0xFD, 0xFF]);
+    assert_eq!(device.od.speed_value, [0, 0, -3]);
+}
+
+#[test]
+fn the_application_is_asked_before_a_value_is_stored() {
+    let mut device = device();
+    write(&mut device, 0x1010, 1, b"save").unwrap();
+    write(&mut device, 0x2600, 0, &[1]).unwrap();
+    write(&mut device, 0x2601, 0, &[2]).unwrap();
+    assert_eq!(write(&mut device, 0x2601, 0, &[3]), Err(AbortCode::DEVICE_STATE));
+    assert_eq!(write(&mut device, 0x2601, 0, &[4]), Err(AbortCode::VALUE_TOO_HIGH));
+    write(&mut device, 0x2602, 0, b"x").unwrap();
+    write(&mut device, 0x2603, 0, &[7; 100]).unwrap();
+    write(&mut device, 0x2604, 0, &[3, 0, 0, 0, 4, 0]).unwrap();
+    write(&mut device, 0x2606, 2, &[0]).unwrap();
+    write(&mut device, 0x6003, 0, &[5, 0, 0, 0]).unwrap();
+    let log = [
+        "store 1 65766173",
+        "switch true",
+        "command 2 after 0",
+        "command 3 after 2",
+        "note [78]",
+        "program of 100 bytes",
+        "clock 4 d 3 ms",
+        "switches 2 false",
+        "preset 5",
+    ];
+    assert_eq!(device.handlers.log, log);
+    assert_eq!(device.od.command, 2, "what was refused is not stored");
+    assert!(device.od.switch.get());
+    assert_eq!(device.od.program.as_bytes(), [7; 100]);
+}
+
+#[test]
+fn two_devices_know_nothing_of_each_other() {
+    let (mut a, b) = (device(), device());
+    write(&mut a, 0x6003, 0, &[5, 0, 0, 0]).unwrap();
+    assert_eq!((a.od.preset_value, b.od.preset_value), (5, 0));
+    assert_eq!(a.buffer().len(), 100, "room for the longest string");
+}
