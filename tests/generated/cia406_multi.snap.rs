@@ -23,12 +23,12 @@ pub mod cia406_multi {
         pub store_parameters: [u32; 1],
         /// 1014h `COB-ID emergency message`, `UNSIGNED32`, rw, default `$NODEID+0x80`
         pub cob_id_emergency_message: u32,
-        /// 1018sub4 `Identity object`, `Serial number`, `UNSIGNED32`, ro, default `0x0000_0000`
-        pub identity_object_serial_number: u32,
-        /// 1800sub1 `TPDO 1 communication parameter`, `COB-ID of TPDO 1`, `UNSIGNED32`, rw, default `$NODEID+0x180`
-        pub tpdo_1_communication_parameter_cob_id_of_tpdo_1: u32,
-        /// 1801sub1 `TPDO 2 communication parameter`, `COB-ID of TPDO 2`, `UNSIGNED32`, rw, default `$NODEID+0x280`
-        pub tpdo_2_communication_parameter_cob_id_of_tpdo_2: u32,
+        /// 1018sub4 `Identity`, `Serial number`, `UNSIGNED32`, ro, default `0x0000_0000`
+        pub identity_serial_number: u32,
+        /// 1800sub1 `TPDO 1 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x180`
+        pub tpdo_1_communication_cob_id: u32,
+        /// 1801sub1 `TPDO 2 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x280`
+        pub tpdo_2_communication_cob_id: u32,
         /// 6001h `Measuring units per revolution`, `UNSIGNED32`, rw
         pub measuring_units_per_revolution: u32,
         /// 6002h `Total measuring range`, `UNSIGNED32`, rw
@@ -87,9 +87,9 @@ pub mod cia406_multi {
         pub offset_value: i32,
         /// 650Asub1 to 650Asub3 `Module identification`, `INTEGER32`, ro
         ///
-        /// * `[0]`: `Manufacturer offset value`, default `0`
-        /// * `[1]`: `Manufacturer minimum position`
-        /// * `[2]`: `Manufacturer maximum position`
+        /// * `[0]`: `Offset value`, default `0`
+        /// * `[1]`: `Minimum position`
+        /// * `[2]`: `Maximum position`
         pub module_identification: [i32; 3],
         /// 650Bh `Serial number`, `UNSIGNED32`, ro
         pub serial_number: u32,
@@ -97,10 +97,10 @@ pub mod cia406_multi {
         pub guard_time: u16,
         /// 1017h `Producer heartbeat time`, `UNSIGNED16` in ms, rw, default `0`
         pub producer_heartbeat_time: u16,
-        /// 1800sub3 `TPDO 1 communication parameter`, `Inhibit time`, `UNSIGNED16` in multiples of 100 µs, rw, default `0`
-        pub tpdo_1_communication_parameter_inhibit_time: u16,
-        /// 1801sub3 `TPDO 2 communication parameter`, `Inhibit time`, `UNSIGNED16` in multiples of 100 µs, rw, default `0`
-        pub tpdo_2_communication_parameter_inhibit_time: u16,
+        /// 1800sub3 `TPDO 1 communication`, `Inhibit time`, `UNSIGNED16` in multiples of 100 µs, rw, default `0`
+        pub tpdo_1_communication_inhibit_time: u16,
+        /// 1801sub3 `TPDO 2 communication`, `Inhibit time`, `UNSIGNED16` in multiples of 100 µs, rw, default `0`
+        pub tpdo_2_communication_inhibit_time: u16,
         /// 6000h `Operating parameters`, `UNSIGNED16`, rw
         pub operating_parameters: u16,
         /// 6030sub1 to 6030subFE `Speed value`, `INTEGER16`, ro, PDO-mappable
@@ -141,10 +141,10 @@ pub mod cia406_multi {
         pub predefined_error_field_number_of_errors: u8,
         /// 100Dh `Life time factor`, `UNSIGNED8`, rw, default `0`
         pub life_time_factor: u8,
-        /// 1800sub2 `TPDO 1 communication parameter`, `Transmission type`, `UNSIGNED8`, rw, default `254`
-        pub tpdo_1_communication_parameter_transmission_type: u8,
-        /// 1801sub2 `TPDO 2 communication parameter`, `Transmission type`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_2_communication_parameter_transmission_type: u8,
+        /// 1800sub2 `TPDO 1 communication`, `Transmission type`, `UNSIGNED8`, rw, default `254`
+        pub tpdo_1_communication_transmission_type: u8,
+        /// 1801sub2 `TPDO 2 communication`, `Transmission type`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_2_communication_transmission_type: u8,
         /// 6300sub1 to 6300subFE `Cam state register`, `UNSIGNED8`, ro, PDO-mappable
         pub cam_state_register: [u8; 254],
         /// 6301sub1 to 6301subFE `Cam enable register`, `UNSIGNED8`, rww, default `0`, PDO-mappable
@@ -166,26 +166,26 @@ pub mod cia406_multi {
         pub const MANUFACTURER_SOFTWARE_VERSION: &'static str = "1.0";
         /// 1010sub0 `Store parameters`, `Highest sub-index supported`, `UNSIGNED8`, const
         pub const STORE_PARAMETERS_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 1;
-        /// 1018sub0 `Identity object`, `Highest sub-index supported`, `UNSIGNED8`, const
-        pub const IDENTITY_OBJECT_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 4;
-        /// 1018sub1 `Identity object`, `Vendor-ID`, `UNSIGNED32`, ro
-        pub const IDENTITY_OBJECT_VENDOR_ID: u32 = 0x0000_0000;
-        /// 1018sub2 `Identity object`, `Product code`, `UNSIGNED32`, ro
-        pub const IDENTITY_OBJECT_PRODUCT_CODE: u32 = 0x0000_0000;
-        /// 1018sub3 `Identity object`, `Revision number`, `UNSIGNED32`, ro
-        pub const IDENTITY_OBJECT_REVISION_NUMBER: u32 = 0x0000_0000;
-        /// 1800sub0 `TPDO 1 communication parameter`, `Highest sub-index supported`, `UNSIGNED8`, const
-        pub const TPDO_1_COMMUNICATION_PARAMETER_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 3;
-        /// 1801sub0 `TPDO 2 communication parameter`, `Highest sub-index supported`, `UNSIGNED8`, const
-        pub const TPDO_2_COMMUNICATION_PARAMETER_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 3;
-        /// 1A00sub0 `TPDO 1 mapping parameter`, `Number of mapped objects`, `UNSIGNED8`, const
-        pub const TPDO_1_MAPPING_PARAMETER_NUMBER_OF_MAPPED_OBJECTS: u8 = 1;
-        /// 1A00sub1 `TPDO 1 mapping parameter`, `UNSIGNED32`, const
-        pub const TPDO_1_MAPPING_PARAMETER: [u32; 1] = [0x6020_0120];
-        /// 1A01sub0 `TPDO 2 mapping parameter`, `Number of mapped objects`, `UNSIGNED8`, const
-        pub const TPDO_2_MAPPING_PARAMETER_NUMBER_OF_MAPPED_OBJECTS: u8 = 1;
-        /// 1A01sub1 `TPDO 2 mapping parameter`, `UNSIGNED32`, const
-        pub const TPDO_2_MAPPING_PARAMETER: [u32; 1] = [0x6020_0120];
+        /// 1018sub0 `Identity`, `Highest sub-index supported`, `UNSIGNED8`, const
+        pub const IDENTITY_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 4;
+        /// 1018sub1 `Identity`, `Vendor-ID`, `UNSIGNED32`, ro
+        pub const IDENTITY_VENDOR_ID: u32 = 0x0000_0000;
+        /// 1018sub2 `Identity`, `Product code`, `UNSIGNED32`, ro
+        pub const IDENTITY_PRODUCT_CODE: u32 = 0x0000_0000;
+        /// 1018sub3 `Identity`, `Revision number`, `UNSIGNED32`, ro
+        pub const IDENTITY_REVISION_NUMBER: u32 = 0x0000_0000;
+        /// 1800sub0 `TPDO 1 communication`, `Highest sub-index supported`, `UNSIGNED8`, const
+        pub const TPDO_1_COMMUNICATION_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 3;
+        /// 1801sub0 `TPDO 2 communication`, `Highest sub-index supported`, `UNSIGNED8`, const
+        pub const TPDO_2_COMMUNICATION_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 3;
+        /// 1A00sub0 `TPDO 1 mapping`, `Number of mapped objects`, `UNSIGNED8`, const
+        pub const TPDO_1_MAPPING_NUMBER_OF_MAPPED_OBJECTS: u8 = 1;
+        /// 1A00sub1 `TPDO 1 mapping`, `UNSIGNED32`, const
+        pub const TPDO_1_MAPPING: [u32; 1] = [0x6020_0120];
+        /// 1A01sub0 `TPDO 2 mapping`, `Number of mapped objects`, `UNSIGNED8`, const
+        pub const TPDO_2_MAPPING_NUMBER_OF_MAPPED_OBJECTS: u8 = 1;
+        /// 1A01sub1 `TPDO 2 mapping`, `UNSIGNED32`, const
+        pub const TPDO_2_MAPPING: [u32; 1] = [0x6020_0120];
         /// 6005sub0 `Linear encoder measuring steps`, `Highest sub-index supported`, `UNSIGNED8`, ro
         pub const LINEAR_ENCODER_MEASURING_STEPS_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 2;
         /// 6010sub0 `Preset values of multi-sensor devices`, `NrOfObjects`, `UNSIGNED8`, ro
@@ -263,9 +263,9 @@ pub mod cia406_multi {
             cob_id_sync_message: 0x0000_0080,
             store_parameters: [0x0000_0001],
             cob_id_emergency_message: 0x0000_0080,
-            identity_object_serial_number: 0x0000_0000,
-            tpdo_1_communication_parameter_cob_id_of_tpdo_1: 0x0000_0180,
-            tpdo_2_communication_parameter_cob_id_of_tpdo_2: 0x0000_0280,
+            identity_serial_number: 0x0000_0000,
+            tpdo_1_communication_cob_id: 0x0000_0180,
+            tpdo_2_communication_cob_id: 0x0000_0280,
             measuring_units_per_revolution: 0,
             total_measuring_range: 0,
             linear_encoder_measuring_steps_position_measuring_step: 0,
@@ -298,8 +298,8 @@ pub mod cia406_multi {
             serial_number: 0,
             guard_time: 0,
             producer_heartbeat_time: 0,
-            tpdo_1_communication_parameter_inhibit_time: 0,
-            tpdo_2_communication_parameter_inhibit_time: 0,
+            tpdo_1_communication_inhibit_time: 0,
+            tpdo_2_communication_inhibit_time: 0,
             operating_parameters: 0,
             speed_value: [0; 254],
             cyclic_timer: 0,
@@ -320,8 +320,8 @@ pub mod cia406_multi {
             error_register: 0,
             predefined_error_field_number_of_errors: 0,
             life_time_factor: 0,
-            tpdo_1_communication_parameter_transmission_type: 254,
-            tpdo_2_communication_parameter_transmission_type: 1,
+            tpdo_1_communication_transmission_type: 254,
+            tpdo_2_communication_transmission_type: 1,
             cam_state_register: [0; 254],
             cam_enable_register: [0; 254],
             cam_polarity_register: [0; 254],
@@ -333,10 +333,8 @@ pub mod cia406_multi {
         pub const fn new(node_id: NodeId) -> Self {
             Self {
                 cob_id_emergency_message: node_id.plus_u32(0x0000_0080),
-                tpdo_1_communication_parameter_cob_id_of_tpdo_1: node_id
-                    .plus_u32(0x0000_0180),
-                tpdo_2_communication_parameter_cob_id_of_tpdo_2: node_id
-                    .plus_u32(0x0000_0280),
+                tpdo_1_communication_cob_id: node_id.plus_u32(0x0000_0180),
+                tpdo_2_communication_cob_id: node_id.plus_u32(0x0000_0280),
                 ..Self::DEFAULTS
             }
         }
@@ -424,15 +422,15 @@ pub mod cia406_multi {
         Row::value(0x1018, 0x01, DataType::UNSIGNED32, CONST, 26),
         Row::value(0x1018, 0x02, DataType::UNSIGNED32, CONST, 26),
         Row::value(0x1018, 0x03, DataType::UNSIGNED32, CONST, 26),
-        Row::value(0x1018, 0x04, DataType::UNSIGNED32, RO, offset_of!(Dictionary, identity_object_serial_number)),
+        Row::value(0x1018, 0x04, DataType::UNSIGNED32, RO, offset_of!(Dictionary, identity_serial_number)),
         Row::value(0x1800, 0x00, DataType::UNSIGNED8, CONST, 30),
-        Row::value(0x1800, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_1_communication_parameter_cob_id_of_tpdo_1)),
-        Row::value(0x1800, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_1_communication_parameter_transmission_type)),
-        Row::value(0x1800, 0x03, DataType::UNSIGNED16, RW, offset_of!(Dictionary, tpdo_1_communication_parameter_inhibit_time)),
+        Row::value(0x1800, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_1_communication_cob_id)),
+        Row::value(0x1800, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_1_communication_transmission_type)),
+        Row::value(0x1800, 0x03, DataType::UNSIGNED16, RW, offset_of!(Dictionary, tpdo_1_communication_inhibit_time)),
         Row::value(0x1801, 0x00, DataType::UNSIGNED8, CONST, 30),
-        Row::value(0x1801, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_2_communication_parameter_cob_id_of_tpdo_2)),
-        Row::value(0x1801, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_2_communication_parameter_transmission_type)),
-        Row::value(0x1801, 0x03, DataType::UNSIGNED16, RW, offset_of!(Dictionary, tpdo_2_communication_parameter_inhibit_time)),
+        Row::value(0x1801, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_2_communication_cob_id)),
+        Row::value(0x1801, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_2_communication_transmission_type)),
+        Row::value(0x1801, 0x03, DataType::UNSIGNED16, RW, offset_of!(Dictionary, tpdo_2_communication_inhibit_time)),
         Row::value(0x1A00, 0x00, DataType::UNSIGNED8, CONST, 24),
         Row::value(0x1A00, 0x01, DataType::UNSIGNED32, CONST, 31),
         Row::value(0x1A01, 0x00, DataType::UNSIGNED8, CONST, 24),

@@ -43,22 +43,22 @@ pub mod wdga {
         pub cob_id_emergency_message: u32,
         /// 1016sub1 `Consumer heartbeat time`, `UNSIGNED32`, rw, default `0x0000_0000`
         pub consumer_heartbeat_time: [u32; 1],
-        /// 1018sub4 `Identity object`, `Serial number`, `UNSIGNED32`, const
-        pub identity_object_serial_number: u32,
+        /// 1018sub4 `Identity`, `Serial number`, `UNSIGNED32`, const
+        pub identity_serial_number: u32,
         /// 1020sub1 to 1020sub2 `Verify configuration`, `UNSIGNED32`, rw, default `0x0000_0000`
         ///
         /// * `[0]`: `Configuration date`
         /// * `[1]`: `Configuration time`
         pub verify_configuration: [u32; 2],
-        /// 1800sub1 `TPDO 1 communication parameter`, `COB-ID of TPDO 1`, `UNSIGNED32`, rw, default `$NODEID+0x40000180`
-        pub tpdo_1_communication_parameter_cob_id_of_tpdo_1: u32,
-        /// 1801sub1 `TPDO 2 communication parameter`, `COB-ID of TPDO 2`, `UNSIGNED32`, rw, default `$NODEID+0x40000280`
-        pub tpdo_2_communication_parameter_cob_id_of_tpdo_2: u32,
-        /// 1802sub1 `TPDO 3 communication parameter`, `COB-ID of TPDO 3`, `UNSIGNED32`, rw, default `$NODEID+0x40000380`
-        pub tpdo_3_communication_parameter_cob_id_of_tpdo_3: u32,
-        /// 1803sub1 `TPDO 4 communication parameter`, `COB-ID of TPDO 4`, `UNSIGNED32`, rw, default `$NODEID+0x40000480`
-        pub tpdo_4_communication_parameter_cob_id_of_tpdo_4: u32,
-        /// 1A00sub1 to 1A00sub8 `TPDO 1 mapping parameter`, `UNSIGNED32`, rw
+        /// 1800sub1 `TPDO 1 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x40000180`
+        pub tpdo_1_communication_cob_id: u32,
+        /// 1801sub1 `TPDO 2 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x40000280`
+        pub tpdo_2_communication_cob_id: u32,
+        /// 1802sub1 `TPDO 3 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x40000380`
+        pub tpdo_3_communication_cob_id: u32,
+        /// 1803sub1 `TPDO 4 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x40000480`
+        pub tpdo_4_communication_cob_id: u32,
+        /// 1A00sub1 to 1A00sub8 `TPDO 1 mapping`, `UNSIGNED32`, rw
         ///
         /// * `[0]`: `Mapped object 1`, default `0x6004_0020`
         /// * `[1]`: `Mapped object 2`, default `0x0000_0000`
@@ -68,8 +68,8 @@ pub mod wdga {
         /// * `[5]`: `Mapped object 6`, default `0x0000_0000`
         /// * `[6]`: `Mapped object 7`, default `0x0000_0000`
         /// * `[7]`: `Mapped object 8`, default `0x0000_0000`
-        pub tpdo_1_mapping_parameter: [u32; 8],
-        /// 1A01sub1 to 1A01sub8 `TPDO 2 mapping parameter`, `UNSIGNED32`, rw
+        pub tpdo_1_mapping: [u32; 8],
+        /// 1A01sub1 to 1A01sub8 `TPDO 2 mapping`, `UNSIGNED32`, rw
         ///
         /// * `[0]`: `Mapped object 1`, default `0x6004_0020`
         /// * `[1]`: `Mapped object 2`, default `0x0000_0000`
@@ -79,8 +79,8 @@ pub mod wdga {
         /// * `[5]`: `Mapped object 6`, default `0x0000_0000`
         /// * `[6]`: `Mapped object 7`, default `0x0000_0000`
         /// * `[7]`: `Mapped object 8`, default `0x0000_0000`
-        pub tpdo_2_mapping_parameter: [u32; 8],
-        /// 1A02sub1 to 1A02sub8 `TPDO 3 mapping parameter`, `UNSIGNED32`, rw
+        pub tpdo_2_mapping: [u32; 8],
+        /// 1A02sub1 to 1A02sub8 `TPDO 3 mapping`, `UNSIGNED32`, rw
         ///
         /// * `[0]`: `Mapped object 1`, default `0x6008_0040`
         /// * `[1]`: `Mapped object 2`, default `0x0000_0000`
@@ -90,13 +90,13 @@ pub mod wdga {
         /// * `[5]`: `Mapped object 6`, default `0x0000_0000`
         /// * `[6]`: `Mapped object 7`, default `0x0000_0000`
         /// * `[7]`: `Mapped object 8`, default `0x0000_0000`
-        pub tpdo_3_mapping_parameter: [u32; 8],
-        /// 1A03sub1 to 1A03sub8 `TPDO 4 mapping parameter`, `UNSIGNED32`, rw, default `0x0000_0000`
-        pub tpdo_4_mapping_parameter: [u32; 8],
+        pub tpdo_3_mapping: [u32; 8],
+        /// 1A03sub1 to 1A03sub8 `TPDO 4 mapping`, `UNSIGNED32`, rw, default `0x0000_0000`
+        pub tpdo_4_mapping: [u32; 8],
         /// 1F80h `NMT start-up behaviour`, `UNSIGNED32`, rw, default `0x0000_0000`
         pub nmt_start_up_behaviour: u32,
-        /// 2105sub2 `Integration value`, `Speed value integration time`, `UNSIGNED32`, rw, default `1000`
-        pub integration_value_speed_value_integration_time: u32,
+        /// 2105sub2 `Integration value`, `Speed integration time`, `UNSIGNED32`, rw, default `1000`
+        pub integration_value_speed_integration_time: u32,
         /// 2120sub1 to 2120sub8 `Customer EEPROM area`, `UNSIGNED32`, rw, default `4_294_967_295`
         pub customer_eeprom_area: [u32; 8],
         /// 2502sub1 to 2502sub5 `Error history`, `UNSIGNED32`, ro
@@ -163,10 +163,10 @@ pub mod wdga {
         pub work_area_high_limit: [i32; 1],
         /// 6509h `Offset value`, `INTEGER32`, ro, default `0`
         pub offset_value: i32,
-        /// 650Asub2 `Module identification`, `Manufacturer minimum position`, `INTEGER32`, const
-        pub module_identification_manufacturer_minimum_position: i32,
-        /// 650Asub3 `Module identification`, `Manufacturer maximum position`, `INTEGER32`, const
-        pub module_identification_manufacturer_maximum_position: i32,
+        /// 650Asub2 `Module identification`, `Minimum position`, `INTEGER32`, const
+        pub module_identification_minimum_position: i32,
+        /// 650Asub3 `Module identification`, `Maximum position`, `INTEGER32`, const
+        pub module_identification_maximum_position: i32,
         /// 650Bsub1 `Serial number`, `UNSIGNED32`, const
         pub serial_number: [u32; 1],
         /// 100Ch `Guard time`, `UNSIGNED16` in ms, rw, default `0`
@@ -175,14 +175,14 @@ pub mod wdga {
         pub inhibit_time_emergency_message: u16,
         /// 1017h `Producer heartbeat time`, `UNSIGNED16` in ms, rw, default `0`
         pub producer_heartbeat_time: u16,
-        /// 1800sub5 `TPDO 1 communication parameter`, `Event timer`, `UNSIGNED16` in ms, rw, default `0`
-        pub tpdo_1_communication_parameter_event_timer: u16,
-        /// 1801sub5 `TPDO 2 communication parameter`, `Event timer`, `UNSIGNED16` in ms, rw, default `0`
-        pub tpdo_2_communication_parameter_event_timer: u16,
-        /// 1802sub5 `TPDO 3 communication parameter`, `Event timer`, `UNSIGNED16` in ms, rw, default `0`
-        pub tpdo_3_communication_parameter_event_timer: u16,
-        /// 1803sub5 `TPDO 4 communication parameter`, `Event timer`, `UNSIGNED16` in ms, rw, default `0`
-        pub tpdo_4_communication_parameter_event_timer: u16,
+        /// 1800sub5 `TPDO 1 communication`, `Event timer`, `UNSIGNED16` in ms, rw, default `0`
+        pub tpdo_1_communication_event_timer: u16,
+        /// 1801sub5 `TPDO 2 communication`, `Event timer`, `UNSIGNED16` in ms, rw, default `0`
+        pub tpdo_2_communication_event_timer: u16,
+        /// 1802sub5 `TPDO 3 communication`, `Event timer`, `UNSIGNED16` in ms, rw, default `0`
+        pub tpdo_3_communication_event_timer: u16,
+        /// 1803sub5 `TPDO 4 communication`, `Event timer`, `UNSIGNED16` in ms, rw, default `0`
+        pub tpdo_4_communication_event_timer: u16,
         /// 2106sub1 to 2106sub2 `Speed scaling`, `UNSIGNED16`, rw, default `1`
         ///
         /// * `[0]`: `Speed multiplier`
@@ -190,16 +190,16 @@ pub mod wdga {
         pub speed_scaling: [u16; 2],
         /// 2107h `Frequency limit`, `UNSIGNED16`, rw, `1` to `65535`, default `65535`
         pub frequency_limit: u16,
-        /// 2500sub1 `Temperature`, `Current temperature`, `INTEGER16`, ro, PDO-mappable
-        pub temperature_current_temperature: i16,
-        /// 2500sub2 `Temperature`, `Upper temperature limit`, `INTEGER16`, rw, `-40` to `100`, default `100`
-        pub temperature_upper_temperature_limit: i16,
-        /// 2500sub3 `Temperature`, `Lower temperature limit`, `INTEGER16`, rw, `-40` to `100`, default `-40`
-        pub temperature_lower_temperature_limit: i16,
-        /// 2500sub4 `Temperature`, `Maximum temperature occurred`, `INTEGER16`, ro, PDO-mappable
-        pub temperature_maximum_temperature_occurred: i16,
-        /// 2500sub5 `Temperature`, `Minimum temperature occurred`, `INTEGER16`, ro, PDO-mappable
-        pub temperature_minimum_temperature_occurred: i16,
+        /// 2500sub1 `Temperature`, `Current`, `INTEGER16`, ro, PDO-mappable
+        pub temperature_current: i16,
+        /// 2500sub2 `Temperature`, `Upper limit`, `INTEGER16`, rw, `-40` to `100`, default `100`
+        pub temperature_upper_limit: i16,
+        /// 2500sub3 `Temperature`, `Lower limit`, `INTEGER16`, rw, `-40` to `100`, default `-40`
+        pub temperature_lower_limit: i16,
+        /// 2500sub4 `Temperature`, `Maximum`, `INTEGER16`, ro, PDO-mappable
+        pub temperature_maximum: i16,
+        /// 2500sub5 `Temperature`, `Minimum`, `INTEGER16`, ro, PDO-mappable
+        pub temperature_minimum: i16,
         /// 2503sub1 to 2503sub5 `Alarm history`, `UNSIGNED16`, ro
         pub alarm_history: [u16; 5],
         /// 2504sub1 to 2504sub5 `Warning history`, `UNSIGNED16`, ro
@@ -235,30 +235,30 @@ pub mod wdga {
         /// * `[0]`: `Communication error`
         /// * `[1]`: `Encoder error`
         pub error_behaviour: [u8; 2],
-        /// 1800sub2 `TPDO 1 communication parameter`, `Transmission type`, `UNSIGNED8`, rw, default `254`
-        pub tpdo_1_communication_parameter_transmission_type: u8,
-        /// 1801sub2 `TPDO 2 communication parameter`, `Transmission type`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_2_communication_parameter_transmission_type: u8,
-        /// 1802sub2 `TPDO 3 communication parameter`, `Transmission type`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_3_communication_parameter_transmission_type: u8,
-        /// 1803sub2 `TPDO 4 communication parameter`, `Transmission type`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_4_communication_parameter_transmission_type: u8,
-        /// 1A00sub0 `TPDO 1 mapping parameter`, `Number of mapped objects`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_1_mapping_parameter_number_of_mapped_objects: u8,
-        /// 1A01sub0 `TPDO 2 mapping parameter`, `Number of mapped objects`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_2_mapping_parameter_number_of_mapped_objects: u8,
-        /// 1A02sub0 `TPDO 3 mapping parameter`, `Number of mapped objects`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_3_mapping_parameter_number_of_mapped_objects: u8,
-        /// 1A03sub0 `TPDO 4 mapping parameter`, `Number of mapped objects`, `UNSIGNED8`, rw, default `0`
-        pub tpdo_4_mapping_parameter_number_of_mapped_objects: u8,
+        /// 1800sub2 `TPDO 1 communication`, `Transmission type`, `UNSIGNED8`, rw, default `254`
+        pub tpdo_1_communication_transmission_type: u8,
+        /// 1801sub2 `TPDO 2 communication`, `Transmission type`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_2_communication_transmission_type: u8,
+        /// 1802sub2 `TPDO 3 communication`, `Transmission type`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_3_communication_transmission_type: u8,
+        /// 1803sub2 `TPDO 4 communication`, `Transmission type`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_4_communication_transmission_type: u8,
+        /// 1A00sub0 `TPDO 1 mapping`, `Number of mapped objects`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_1_mapping_number_of_mapped_objects: u8,
+        /// 1A01sub0 `TPDO 2 mapping`, `Number of mapped objects`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_2_mapping_number_of_mapped_objects: u8,
+        /// 1A02sub0 `TPDO 3 mapping`, `Number of mapped objects`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_3_mapping_number_of_mapped_objects: u8,
+        /// 1A03sub0 `TPDO 4 mapping`, `Number of mapped objects`, `UNSIGNED8`, rw, default `0`
+        pub tpdo_4_mapping_number_of_mapped_objects: u8,
         /// 2100h `Baud rate`, `UNSIGNED8`, rw, `0` to `9`, default `9`
         pub baud_rate: u8,
         /// 2101h `Node-ID`, `UNSIGNED8`, rw, `1` to `127`, default `127`
         pub node_id: u8,
         /// 2103h `Bus-off auto-reset`, `UNSIGNED8`, rw, default `0`
         pub bus_off_auto_reset: u8,
-        /// 2105sub1 `Integration value`, `Position value filter`, `UNSIGNED8`, rw, `1` to `4`, default `1`
-        pub integration_value_position_value_filter: u8,
+        /// 2105sub1 `Integration value`, `Position filter`, `UNSIGNED8`, rw, `1` to `4`, default `1`
+        pub integration_value_position_filter: u8,
         /// 2504sub0 `Warning history`, `Highest sub-index supported`, `UNSIGNED8`, rw, default `5`
         pub warning_history_highest_sub_index_supported: u8,
         /// 6300sub1 `Cam state register`, `UNSIGNED8`, ro, default `0`, PDO-mappable
@@ -281,26 +281,26 @@ pub mod wdga {
         pub const RESTORE_DEFAULT_PARAMETERS_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 4;
         /// 1016sub0 `Consumer heartbeat time`, `Highest sub-index supported`, `UNSIGNED8`, const
         pub const CONSUMER_HEARTBEAT_TIME_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 1;
-        /// 1018sub0 `Identity object`, `Highest sub-index supported`, `UNSIGNED8`, const
-        pub const IDENTITY_OBJECT_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 4;
-        /// 1018sub1 `Identity object`, `Vendor-ID`, `UNSIGNED32`, const
-        pub const IDENTITY_OBJECT_VENDOR_ID: u32 = 0x0100_021F;
-        /// 1018sub2 `Identity object`, `Product code`, `UNSIGNED32`, const
-        pub const IDENTITY_OBJECT_PRODUCT_CODE: u32 = 0x5744_4741;
-        /// 1018sub3 `Identity object`, `Revision number`, `UNSIGNED32`, const
-        pub const IDENTITY_OBJECT_REVISION_NUMBER: u32 = 0x0306_0208;
+        /// 1018sub0 `Identity`, `Highest sub-index supported`, `UNSIGNED8`, const
+        pub const IDENTITY_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 4;
+        /// 1018sub1 `Identity`, `Vendor-ID`, `UNSIGNED32`, const
+        pub const IDENTITY_VENDOR_ID: u32 = 0x0100_021F;
+        /// 1018sub2 `Identity`, `Product code`, `UNSIGNED32`, const
+        pub const IDENTITY_PRODUCT_CODE: u32 = 0x5744_4741;
+        /// 1018sub3 `Identity`, `Revision number`, `UNSIGNED32`, const
+        pub const IDENTITY_REVISION_NUMBER: u32 = 0x0306_0208;
         /// 1020sub0 `Verify configuration`, `Highest sub-index supported`, `UNSIGNED8`, const
         pub const VERIFY_CONFIGURATION_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 2;
         /// 1029sub0 `Error behaviour`, `Highest sub-index supported`, `UNSIGNED8`, const
         pub const ERROR_BEHAVIOUR_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 2;
-        /// 1800sub0 `TPDO 1 communication parameter`, `Highest sub-index supported`, `UNSIGNED8`, const
-        pub const TPDO_1_COMMUNICATION_PARAMETER_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 5;
-        /// 1801sub0 `TPDO 2 communication parameter`, `Highest sub-index supported`, `UNSIGNED8`, const
-        pub const TPDO_2_COMMUNICATION_PARAMETER_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 5;
-        /// 1802sub0 `TPDO 3 communication parameter`, `Highest sub-index supported`, `UNSIGNED8`, const
-        pub const TPDO_3_COMMUNICATION_PARAMETER_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 5;
-        /// 1803sub0 `TPDO 4 communication parameter`, `Highest sub-index supported`, `UNSIGNED8`, const
-        pub const TPDO_4_COMMUNICATION_PARAMETER_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 5;
+        /// 1800sub0 `TPDO 1 communication`, `Highest sub-index supported`, `UNSIGNED8`, const
+        pub const TPDO_1_COMMUNICATION_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 5;
+        /// 1801sub0 `TPDO 2 communication`, `Highest sub-index supported`, `UNSIGNED8`, const
+        pub const TPDO_2_COMMUNICATION_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 5;
+        /// 1802sub0 `TPDO 3 communication`, `Highest sub-index supported`, `UNSIGNED8`, const
+        pub const TPDO_3_COMMUNICATION_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 5;
+        /// 1803sub0 `TPDO 4 communication`, `Highest sub-index supported`, `UNSIGNED8`, const
+        pub const TPDO_4_COMMUNICATION_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 5;
         /// 2105sub0 `Integration value`, `Highest sub-index supported`, `UNSIGNED8`, const
         pub const INTEGRATION_VALUE_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 2;
         /// 2106sub0 `Speed scaling`, `Highest sub-index supported`, `UNSIGNED8`, const
@@ -393,8 +393,8 @@ pub mod wdga {
         pub const OPERATING_TIME: u32 = 4_294_967_295;
         /// 650Asub0 `Module identification`, `Highest sub-index supported`, `UNSIGNED8`, const
         pub const MODULE_IDENTIFICATION_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 3;
-        /// 650Asub1 `Module identification`, `Manufacturer offset value`, `INTEGER32`, const
-        pub const MODULE_IDENTIFICATION_MANUFACTURER_OFFSET_VALUE: i32 = 0;
+        /// 650Asub1 `Module identification`, `Offset value`, `INTEGER32`, const
+        pub const MODULE_IDENTIFICATION_OFFSET_VALUE: i32 = 0;
         /// 650Bsub0 `Serial number`, `Highest sub-index supported`, `UNSIGNED8`, const
         pub const SERIAL_NUMBER_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 1;
         /// 6510h `Number of high precision revolutions`, `UNSIGNED40`, const
@@ -410,27 +410,27 @@ pub mod wdga {
             restore_default_parameters: [0x0000_0001; 4],
             cob_id_emergency_message: 0x0000_0080,
             consumer_heartbeat_time: [0x0000_0000],
-            identity_object_serial_number: 0,
+            identity_serial_number: 0,
             verify_configuration: [0x0000_0000, 0x0000_0000],
-            tpdo_1_communication_parameter_cob_id_of_tpdo_1: 0x4000_0180,
-            tpdo_2_communication_parameter_cob_id_of_tpdo_2: 0x4000_0280,
-            tpdo_3_communication_parameter_cob_id_of_tpdo_3: 0x4000_0380,
-            tpdo_4_communication_parameter_cob_id_of_tpdo_4: 0x4000_0480,
-            tpdo_1_mapping_parameter: [
+            tpdo_1_communication_cob_id: 0x4000_0180,
+            tpdo_2_communication_cob_id: 0x4000_0280,
+            tpdo_3_communication_cob_id: 0x4000_0380,
+            tpdo_4_communication_cob_id: 0x4000_0480,
+            tpdo_1_mapping: [
                 0x6004_0020, 0x0000_0000, 0x0000_0000, 0x0000_0000, 0x0000_0000,
                 0x0000_0000, 0x0000_0000, 0x0000_0000,
             ],
-            tpdo_2_mapping_parameter: [
+            tpdo_2_mapping: [
                 0x6004_0020, 0x0000_0000, 0x0000_0000, 0x0000_0000, 0x0000_0000,
                 0x0000_0000, 0x0000_0000, 0x0000_0000,
             ],
-            tpdo_3_mapping_parameter: [
+            tpdo_3_mapping: [
                 0x6008_0040, 0x0000_0000, 0x0000_0000, 0x0000_0000, 0x0000_0000,
                 0x0000_0000, 0x0000_0000, 0x0000_0000,
             ],
-            tpdo_4_mapping_parameter: [0x0000_0000; 8],
+            tpdo_4_mapping: [0x0000_0000; 8],
             nmt_start_up_behaviour: 0x0000_0000,
-            integration_value_speed_value_integration_time: 1000,
+            integration_value_speed_integration_time: 1000,
             customer_eeprom_area: [4_294_967_295; 8],
             error_history: [0; 5],
             measuring_units_per_revolution: 16384,
@@ -464,23 +464,23 @@ pub mod wdga {
             work_area_low_limit: [0],
             work_area_high_limit: [16384],
             offset_value: 0,
-            module_identification_manufacturer_minimum_position: 0,
-            module_identification_manufacturer_maximum_position: 0,
+            module_identification_minimum_position: 0,
+            module_identification_maximum_position: 0,
             serial_number: [0],
             guard_time: 0,
             inhibit_time_emergency_message: 0,
             producer_heartbeat_time: 0,
-            tpdo_1_communication_parameter_event_timer: 0,
-            tpdo_2_communication_parameter_event_timer: 0,
-            tpdo_3_communication_parameter_event_timer: 0,
-            tpdo_4_communication_parameter_event_timer: 0,
+            tpdo_1_communication_event_timer: 0,
+            tpdo_2_communication_event_timer: 0,
+            tpdo_3_communication_event_timer: 0,
+            tpdo_4_communication_event_timer: 0,
             speed_scaling: [1, 1],
             frequency_limit: 65535,
-            temperature_current_temperature: 0,
-            temperature_upper_temperature_limit: 100,
-            temperature_lower_temperature_limit: -40,
-            temperature_maximum_temperature_occurred: 0,
-            temperature_minimum_temperature_occurred: 0,
+            temperature_current: 0,
+            temperature_upper_limit: 100,
+            temperature_lower_limit: -40,
+            temperature_maximum: 0,
+            temperature_minimum: 0,
             alarm_history: [0; 5],
             warning_history: [0; 5],
             operating_parameters: 4,
@@ -497,18 +497,18 @@ pub mod wdga {
             manufacturer_software_version: VisibleString::EMPTY,
             life_time_factor: 0,
             error_behaviour: [0, 0],
-            tpdo_1_communication_parameter_transmission_type: 254,
-            tpdo_2_communication_parameter_transmission_type: 1,
-            tpdo_3_communication_parameter_transmission_type: 1,
-            tpdo_4_communication_parameter_transmission_type: 1,
-            tpdo_1_mapping_parameter_number_of_mapped_objects: 1,
-            tpdo_2_mapping_parameter_number_of_mapped_objects: 1,
-            tpdo_3_mapping_parameter_number_of_mapped_objects: 1,
-            tpdo_4_mapping_parameter_number_of_mapped_objects: 0,
+            tpdo_1_communication_transmission_type: 254,
+            tpdo_2_communication_transmission_type: 1,
+            tpdo_3_communication_transmission_type: 1,
+            tpdo_4_communication_transmission_type: 1,
+            tpdo_1_mapping_number_of_mapped_objects: 1,
+            tpdo_2_mapping_number_of_mapped_objects: 1,
+            tpdo_3_mapping_number_of_mapped_objects: 1,
+            tpdo_4_mapping_number_of_mapped_objects: 0,
             baud_rate: 9,
             node_id: 127,
             bus_off_auto_reset: 0,
-            integration_value_position_value_filter: 1,
+            integration_value_position_filter: 1,
             warning_history_highest_sub_index_supported: 5,
             cam_state_register: [0],
             cam_enable_register: [0],
@@ -520,14 +520,10 @@ pub mod wdga {
         pub const fn new(node_id: NodeId) -> Self {
             Self {
                 cob_id_emergency_message: node_id.plus_u32(0x0000_0080),
-                tpdo_1_communication_parameter_cob_id_of_tpdo_1: node_id
-                    .plus_u32(0x4000_0180),
-                tpdo_2_communication_parameter_cob_id_of_tpdo_2: node_id
-                    .plus_u32(0x4000_0280),
-                tpdo_3_communication_parameter_cob_id_of_tpdo_3: node_id
-                    .plus_u32(0x4000_0380),
-                tpdo_4_communication_parameter_cob_id_of_tpdo_4: node_id
-                    .plus_u32(0x4000_0480),
+                tpdo_1_communication_cob_id: node_id.plus_u32(0x4000_0180),
+                tpdo_2_communication_cob_id: node_id.plus_u32(0x4000_0280),
+                tpdo_3_communication_cob_id: node_id.plus_u32(0x4000_0380),
+                tpdo_4_communication_cob_id: node_id.plus_u32(0x4000_0480),
                 ..Self::DEFAULTS
             }
         }
@@ -618,52 +614,52 @@ pub mod wdga {
         Row::value(0x1017, 0x00, DataType::UNSIGNED16, RW, offset_of!(Dictionary, producer_heartbeat_time)),
         Row::value(0x1018, 0x00, DataType::UNSIGNED8, CONST, 16),
         Row::elements(0x1018, 0x01, 0x03, DataType::UNSIGNED32, CONST, 18),
-        Row::value(0x1018, 0x04, DataType::UNSIGNED32, RO, offset_of!(Dictionary, identity_object_serial_number)),
+        Row::value(0x1018, 0x04, DataType::UNSIGNED32, RO, offset_of!(Dictionary, identity_serial_number)),
         Row::value(0x1020, 0x00, DataType::UNSIGNED8, CONST, 30),
         Row::elements(0x1020, 0x01, 0x02, DataType::UNSIGNED32, RW, offset_of!(Dictionary, verify_configuration)),
         Row::value(0x1029, 0x00, DataType::UNSIGNED8, CONST, 30),
         Row::elements(0x1029, 0x01, 0x02, DataType::UNSIGNED8, RW.with(Access::EXTRA), 4),
         Row::value(0x1800, 0x00, DataType::UNSIGNED8, CONST, 33),
-        Row::value(0x1800, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_1_communication_parameter_cob_id_of_tpdo_1)),
-        Row::value(0x1800, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_1_communication_parameter_transmission_type)),
-        Row::value(0x1800, 0x05, DataType::UNSIGNED16, RW, offset_of!(Dictionary, tpdo_1_communication_parameter_event_timer)),
+        Row::value(0x1800, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_1_communication_cob_id)),
+        Row::value(0x1800, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_1_communication_transmission_type)),
+        Row::value(0x1800, 0x05, DataType::UNSIGNED16, RW, offset_of!(Dictionary, tpdo_1_communication_event_timer)),
         Row::value(0x1801, 0x00, DataType::UNSIGNED8, CONST, 33),
-        Row::value(0x1801, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_2_communication_parameter_cob_id_of_tpdo_2)),
-        Row::value(0x1801, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_2_communication_parameter_transmission_type)),
-        Row::value(0x1801, 0x05, DataType::UNSIGNED16, RW, offset_of!(Dictionary, tpdo_2_communication_parameter_event_timer)),
+        Row::value(0x1801, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_2_communication_cob_id)),
+        Row::value(0x1801, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_2_communication_transmission_type)),
+        Row::value(0x1801, 0x05, DataType::UNSIGNED16, RW, offset_of!(Dictionary, tpdo_2_communication_event_timer)),
         Row::value(0x1802, 0x00, DataType::UNSIGNED8, CONST, 33),
-        Row::value(0x1802, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_3_communication_parameter_cob_id_of_tpdo_3)),
-        Row::value(0x1802, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_3_communication_parameter_transmission_type)),
-        Row::value(0x1802, 0x05, DataType::UNSIGNED16, RW, offset_of!(Dictionary, tpdo_3_communication_parameter_event_timer)),
+        Row::value(0x1802, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_3_communication_cob_id)),
+        Row::value(0x1802, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_3_communication_transmission_type)),
+        Row::value(0x1802, 0x05, DataType::UNSIGNED16, RW, offset_of!(Dictionary, tpdo_3_communication_event_timer)),
         Row::value(0x1803, 0x00, DataType::UNSIGNED8, CONST, 33),
-        Row::value(0x1803, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_4_communication_parameter_cob_id_of_tpdo_4)),
-        Row::value(0x1803, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_4_communication_parameter_transmission_type)),
-        Row::value(0x1803, 0x05, DataType::UNSIGNED16, RW, offset_of!(Dictionary, tpdo_4_communication_parameter_event_timer)),
-        Row::value(0x1A00, 0x00, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_1_mapping_parameter_number_of_mapped_objects)),
-        Row::elements(0x1A00, 0x01, 0x08, DataType::UNSIGNED32, RW, offset_of!(Dictionary, tpdo_1_mapping_parameter)),
-        Row::value(0x1A01, 0x00, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_2_mapping_parameter_number_of_mapped_objects)),
-        Row::elements(0x1A01, 0x01, 0x08, DataType::UNSIGNED32, RW, offset_of!(Dictionary, tpdo_2_mapping_parameter)),
-        Row::value(0x1A02, 0x00, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_3_mapping_parameter_number_of_mapped_objects)),
-        Row::elements(0x1A02, 0x01, 0x08, DataType::UNSIGNED32, RW, offset_of!(Dictionary, tpdo_3_mapping_parameter)),
-        Row::value(0x1A03, 0x00, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_4_mapping_parameter_number_of_mapped_objects)),
-        Row::elements(0x1A03, 0x01, 0x08, DataType::UNSIGNED32, RW, offset_of!(Dictionary, tpdo_4_mapping_parameter)),
+        Row::value(0x1803, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_4_communication_cob_id)),
+        Row::value(0x1803, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_4_communication_transmission_type)),
+        Row::value(0x1803, 0x05, DataType::UNSIGNED16, RW, offset_of!(Dictionary, tpdo_4_communication_event_timer)),
+        Row::value(0x1A00, 0x00, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_1_mapping_number_of_mapped_objects)),
+        Row::elements(0x1A00, 0x01, 0x08, DataType::UNSIGNED32, RW, offset_of!(Dictionary, tpdo_1_mapping)),
+        Row::value(0x1A01, 0x00, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_2_mapping_number_of_mapped_objects)),
+        Row::elements(0x1A01, 0x01, 0x08, DataType::UNSIGNED32, RW, offset_of!(Dictionary, tpdo_2_mapping)),
+        Row::value(0x1A02, 0x00, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_3_mapping_number_of_mapped_objects)),
+        Row::elements(0x1A02, 0x01, 0x08, DataType::UNSIGNED32, RW, offset_of!(Dictionary, tpdo_3_mapping)),
+        Row::value(0x1A03, 0x00, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_4_mapping_number_of_mapped_objects)),
+        Row::elements(0x1A03, 0x01, 0x08, DataType::UNSIGNED32, RW, offset_of!(Dictionary, tpdo_4_mapping)),
         Row::value(0x1F80, 0x00, DataType::UNSIGNED32, RW, offset_of!(Dictionary, nmt_start_up_behaviour)),
         Row::value(0x2100, 0x00, DataType::UNSIGNED8, RW.with(Access::EXTRA), 6),
         Row::value(0x2101, 0x00, DataType::UNSIGNED8, RW.with(Access::EXTRA), 7),
         Row::value(0x2103, 0x00, DataType::UNSIGNED8, RW, offset_of!(Dictionary, bus_off_auto_reset)),
         Row::value(0x2105, 0x00, DataType::UNSIGNED8, CONST, 30),
         Row::value(0x2105, 0x01, DataType::UNSIGNED8, RW.with(Access::EXTRA), 8),
-        Row::value(0x2105, 0x02, DataType::UNSIGNED32, RW, offset_of!(Dictionary, integration_value_speed_value_integration_time)),
+        Row::value(0x2105, 0x02, DataType::UNSIGNED32, RW, offset_of!(Dictionary, integration_value_speed_integration_time)),
         Row::value(0x2106, 0x00, DataType::UNSIGNED8, CONST, 30),
         Row::elements(0x2106, 0x01, 0x02, DataType::UNSIGNED16, RW, offset_of!(Dictionary, speed_scaling)),
         Row::value(0x2107, 0x00, DataType::UNSIGNED16, RW.with(Access::EXTRA), 9),
         Row::value(0x2120, 0x00, DataType::UNSIGNED8, CONST, 44),
         Row::elements(0x2120, 0x01, 0x08, DataType::UNSIGNED32, RW, offset_of!(Dictionary, customer_eeprom_area)),
         Row::value(0x2500, 0x00, DataType::UNSIGNED8, CONST, 33),
-        Row::value(0x2500, 0x01, DataType::INTEGER16, RO.with(Access::TPDO), offset_of!(Dictionary, temperature_current_temperature)),
+        Row::value(0x2500, 0x01, DataType::INTEGER16, RO.with(Access::TPDO), offset_of!(Dictionary, temperature_current)),
         Row::elements(0x2500, 0x02, 0x03, DataType::INTEGER16, RW.with(Access::EXTRA), 10),
-        Row::value(0x2500, 0x04, DataType::INTEGER16, RO.with(Access::TPDO), offset_of!(Dictionary, temperature_maximum_temperature_occurred)),
-        Row::value(0x2500, 0x05, DataType::INTEGER16, RO.with(Access::TPDO), offset_of!(Dictionary, temperature_minimum_temperature_occurred)),
+        Row::value(0x2500, 0x04, DataType::INTEGER16, RO.with(Access::TPDO), offset_of!(Dictionary, temperature_maximum)),
+        Row::value(0x2500, 0x05, DataType::INTEGER16, RO.with(Access::TPDO), offset_of!(Dictionary, temperature_minimum)),
         Row::value(0x2502, 0x00, DataType::UNSIGNED8, CONST, 33),
         Row::elements(0x2502, 0x01, 0x05, DataType::UNSIGNED32, RO, offset_of!(Dictionary, error_history)),
         Row::value(0x2503, 0x00, DataType::UNSIGNED8, CONST, 33),
@@ -756,8 +752,8 @@ pub mod wdga {
         Row::value(0x6509, 0x00, DataType::INTEGER32, RO, offset_of!(Dictionary, offset_value)),
         Row::value(0x650A, 0x00, DataType::UNSIGNED8, CONST, 75),
         Row::value(0x650A, 0x01, DataType::INTEGER32, CONST, 76),
-        Row::value(0x650A, 0x02, DataType::INTEGER32, RO, offset_of!(Dictionary, module_identification_manufacturer_minimum_position)),
-        Row::value(0x650A, 0x03, DataType::INTEGER32, RO, offset_of!(Dictionary, module_identification_manufacturer_maximum_position)),
+        Row::value(0x650A, 0x02, DataType::INTEGER32, RO, offset_of!(Dictionary, module_identification_minimum_position)),
+        Row::value(0x650A, 0x03, DataType::INTEGER32, RO, offset_of!(Dictionary, module_identification_maximum_position)),
         Row::value(0x650B, 0x00, DataType::UNSIGNED8, CONST, 17),
         Row::value(0x650B, 0x01, DataType::UNSIGNED32, RO, offset_of!(Dictionary, serial_number)),
         Row::value(0x6510, 0x00, DataType::UNSIGNED40, CONST, 80),
@@ -782,10 +778,10 @@ pub mod wdga {
         Extra::new(offset_of!(Dictionary, error_behaviour) + 1, 31), // 1029sub2
         Extra::new(offset_of!(Dictionary, baud_rate), 34), // 2100sub0
         Extra::new(offset_of!(Dictionary, node_id), 36), // 2101sub0
-        Extra::new(offset_of!(Dictionary, integration_value_position_value_filter), 38), // 2105sub1
+        Extra::new(offset_of!(Dictionary, integration_value_position_filter), 38), // 2105sub1
         Extra::new(offset_of!(Dictionary, frequency_limit), 40), // 2107sub0
-        Extra::new(offset_of!(Dictionary, temperature_upper_temperature_limit), 45), // 2500sub2
-        Extra::new(offset_of!(Dictionary, temperature_lower_temperature_limit), 45), // 2500sub3
+        Extra::new(offset_of!(Dictionary, temperature_upper_limit), 45), // 2500sub2
+        Extra::new(offset_of!(Dictionary, temperature_lower_limit), 45), // 2500sub3
         Extra::new(offset_of!(Dictionary, measuring_units_per_revolution), 49), // 6001sub0
     ];
 

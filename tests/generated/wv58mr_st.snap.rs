@@ -35,26 +35,26 @@ pub mod wv58mr_st {
         pub restore_default_parameters: [u32; 4],
         /// 1014h `COB-ID emergency message`, `UNSIGNED32`, rw, default `$NODEID+0x80`
         pub cob_id_emergency_message: u32,
-        /// 1018sub4 `Identity object`, `Serial number`, `UNSIGNED32`, ro, default `0x0000_0001`
-        pub identity_object_serial_number: u32,
-        /// 1200sub1 `SDO server parameter`, `COB-ID client to server`, `UNSIGNED32`, ro, default `$NODEID+0x600`
-        pub sdo_server_parameter_cob_id_client_to_server: u32,
-        /// 1200sub2 `SDO server parameter`, `COB-ID server to client`, `UNSIGNED32`, ro, default `$NODEID+0x580`
-        pub sdo_server_parameter_cob_id_server_to_client: u32,
-        /// 1800sub1 `TPDO 1 communication parameter`, `COB-ID of TPDO 1`, `UNSIGNED32`, rw, default `$NODEID+0x180`
-        pub tpdo_1_communication_parameter_cob_id_of_tpdo_1: u32,
-        /// 1801sub1 `TPDO 2 communication parameter`, `COB-ID of TPDO 2`, `UNSIGNED32`, rw, default `$NODEID+0x280`
-        pub tpdo_2_communication_parameter_cob_id_of_tpdo_2: u32,
-        /// 1A00sub1 to 1A00sub2 `TPDO 1 mapping parameter`, `UNSIGNED32`, ro
+        /// 1018sub4 `Identity`, `Serial number`, `UNSIGNED32`, ro, default `0x0000_0001`
+        pub identity_serial_number: u32,
+        /// 1200sub1 `SDO server`, `COB-ID client to server`, `UNSIGNED32`, ro, default `$NODEID+0x600`
+        pub sdo_server_cob_id_client_to_server: u32,
+        /// 1200sub2 `SDO server`, `COB-ID server to client`, `UNSIGNED32`, ro, default `$NODEID+0x580`
+        pub sdo_server_cob_id_server_to_client: u32,
+        /// 1800sub1 `TPDO 1 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x180`
+        pub tpdo_1_communication_cob_id: u32,
+        /// 1801sub1 `TPDO 2 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x280`
+        pub tpdo_2_communication_cob_id: u32,
+        /// 1A00sub1 to 1A00sub2 `TPDO 1 mapping`, `UNSIGNED32`, ro
         ///
         /// * `[0]`: `Mapped object 1`, default `0x6004_0020`
         /// * `[1]`: `Mapped object 2`, default `0x6030_0110`
-        pub tpdo_1_mapping_parameter: [u32; 2],
-        /// 1A01sub1 to 1A01sub2 `TPDO 2 mapping parameter`, `UNSIGNED32`, ro
+        pub tpdo_1_mapping: [u32; 2],
+        /// 1A01sub1 to 1A01sub2 `TPDO 2 mapping`, `UNSIGNED32`, ro
         ///
         /// * `[0]`: `Mapped object 1`, default `0x6004_0020`
         /// * `[1]`: `Mapped object 2`, default `0x6030_0110`
-        pub tpdo_2_mapping_parameter: [u32; 2],
+        pub tpdo_2_mapping: [u32; 2],
         /// 2001h `Application offset`, `INTEGER32`, rw, `-16384` to `16383`, default `0`
         pub application_offset: i32,
         /// 5000h `CAN bus error diagnosis`, `UNSIGNED32`, ro, default `0`
@@ -83,9 +83,9 @@ pub mod wv58mr_st {
         pub offset_value: i32,
         /// 650Asub1 to 650Asub3 `Module identification`, `INTEGER32`, ro
         ///
-        /// * `[0]`: `Manufacturer offset value`, default `0`
-        /// * `[1]`: `Smallest position value`, default `0`
-        /// * `[2]`: `Largest position value`, default `16383`
+        /// * `[0]`: `Offset value`, default `0`
+        /// * `[1]`: `Minimum position`, default `0`
+        /// * `[2]`: `Maximum position`, default `16383`
         pub module_identification: [i32; 3],
         /// 650Bh `Encoder serial number`, `UNSIGNED32`, ro, default `0`
         pub encoder_serial_number: u32,
@@ -95,14 +95,14 @@ pub mod wv58mr_st {
         pub guard_time: u16,
         /// 1017h `Producer heartbeat time`, `UNSIGNED16` in ms, rw, default `0`
         pub producer_heartbeat_time: u16,
-        /// 1800sub3 `TPDO 1 communication parameter`, `Inhibit time`, `UNSIGNED16` in multiples of 100 µs, ro, default `0`
-        pub tpdo_1_communication_parameter_inhibit_time: u16,
-        /// 1800sub5 `TPDO 1 communication parameter`, `Event timer`, `UNSIGNED16` in ms, rw, default `0`
-        pub tpdo_1_communication_parameter_event_timer: u16,
-        /// 1801sub3 `TPDO 2 communication parameter`, `Inhibit time`, `UNSIGNED16` in multiples of 100 µs, ro, default `0`
-        pub tpdo_2_communication_parameter_inhibit_time: u16,
-        /// 1801sub5 `TPDO 2 communication parameter`, `Event timer`, `UNSIGNED16` in ms, ro, default `0`
-        pub tpdo_2_communication_parameter_event_timer: u16,
+        /// 1800sub3 `TPDO 1 communication`, `Inhibit time`, `UNSIGNED16` in multiples of 100 µs, ro, default `0`
+        pub tpdo_1_communication_inhibit_time: u16,
+        /// 1800sub5 `TPDO 1 communication`, `Event timer`, `UNSIGNED16` in ms, rw, default `0`
+        pub tpdo_1_communication_event_timer: u16,
+        /// 1801sub3 `TPDO 2 communication`, `Inhibit time`, `UNSIGNED16` in multiples of 100 µs, ro, default `0`
+        pub tpdo_2_communication_inhibit_time: u16,
+        /// 1801sub5 `TPDO 2 communication`, `Event timer`, `UNSIGNED16` in ms, ro, default `0`
+        pub tpdo_2_communication_event_timer: u16,
         /// 2003h `Limit speed low`, `INTEGER16`, rw, `-32768` to `32767`, default `0`
         pub limit_speed_low: i16,
         /// 2004h `Limit speed high`, `INTEGER16`, rw, `-32768` to `32767`, default `0`
@@ -137,10 +137,10 @@ pub mod wv58mr_st {
         pub predefined_error_field_number_of_errors: u8,
         /// 100Dh `Life time factor`, `UNSIGNED8`, rw, default `0`
         pub life_time_factor: u8,
-        /// 1800sub2 `TPDO 1 communication parameter`, `Transmission type`, `UNSIGNED8`, rw, default `254`
-        pub tpdo_1_communication_parameter_transmission_type: u8,
-        /// 1801sub2 `TPDO 2 communication parameter`, `Transmission type`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_2_communication_parameter_transmission_type: u8,
+        /// 1800sub2 `TPDO 1 communication`, `Transmission type`, `UNSIGNED8`, rw, default `254`
+        pub tpdo_1_communication_transmission_type: u8,
+        /// 1801sub2 `TPDO 2 communication`, `Transmission type`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_2_communication_transmission_type: u8,
         /// 2002h `Calibrate encoder value`, `UNSIGNED8`, wo, default `0`
         pub calibrate_encoder_value: u8,
         /// 5F0Asub1 to 5F0Asub2 `Node-ID and baud rate`, `UNSIGNED8`, rw
@@ -168,24 +168,24 @@ pub mod wv58mr_st {
         pub const STORE_PARAMETERS_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 4;
         /// 1011sub0 `Restore default parameters`, `Highest sub-index supported`, `UNSIGNED8`, const
         pub const RESTORE_DEFAULT_PARAMETERS_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 4;
-        /// 1018sub0 `Identity object`, `Highest sub-index supported`, `UNSIGNED8`, const
-        pub const IDENTITY_OBJECT_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 4;
-        /// 1018sub1 `Identity object`, `Vendor-ID`, `UNSIGNED32`, ro
-        pub const IDENTITY_OBJECT_VENDOR_ID: u32 = 0x0000_0195;
-        /// 1018sub2 `Identity object`, `Product code`, `UNSIGNED32`, ro
-        pub const IDENTITY_OBJECT_PRODUCT_CODE: u32 = 0xFFFF_FFFF;
-        /// 1018sub3 `Identity object`, `Revision number`, `UNSIGNED32`, ro
-        pub const IDENTITY_OBJECT_REVISION_NUMBER: u32 = 0xFFFF_FFFF;
-        /// 1200sub0 `SDO server parameter`, `Highest sub-index supported`, `UNSIGNED8`, const
-        pub const SDO_SERVER_PARAMETER_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 2;
-        /// 1800sub0 `TPDO 1 communication parameter`, `Highest sub-index supported`, `UNSIGNED8`, const
-        pub const TPDO_1_COMMUNICATION_PARAMETER_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 5;
-        /// 1801sub0 `TPDO 2 communication parameter`, `Highest sub-index supported`, `UNSIGNED8`, const
-        pub const TPDO_2_COMMUNICATION_PARAMETER_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 5;
-        /// 1A00sub0 `TPDO 1 mapping parameter`, `Number of mapped objects`, `UNSIGNED8`, const
-        pub const TPDO_1_MAPPING_PARAMETER_NUMBER_OF_MAPPED_OBJECTS: u8 = 2;
-        /// 1A01sub0 `TPDO 2 mapping parameter`, `Number of mapped objects`, `UNSIGNED8`, const
-        pub const TPDO_2_MAPPING_PARAMETER_NUMBER_OF_MAPPED_OBJECTS: u8 = 2;
+        /// 1018sub0 `Identity`, `Highest sub-index supported`, `UNSIGNED8`, const
+        pub const IDENTITY_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 4;
+        /// 1018sub1 `Identity`, `Vendor-ID`, `UNSIGNED32`, ro
+        pub const IDENTITY_VENDOR_ID: u32 = 0x0000_0195;
+        /// 1018sub2 `Identity`, `Product code`, `UNSIGNED32`, ro
+        pub const IDENTITY_PRODUCT_CODE: u32 = 0xFFFF_FFFF;
+        /// 1018sub3 `Identity`, `Revision number`, `UNSIGNED32`, ro
+        pub const IDENTITY_REVISION_NUMBER: u32 = 0xFFFF_FFFF;
+        /// 1200sub0 `SDO server`, `Highest sub-index supported`, `UNSIGNED8`, const
+        pub const SDO_SERVER_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 2;
+        /// 1800sub0 `TPDO 1 communication`, `Highest sub-index supported`, `UNSIGNED8`, const
+        pub const TPDO_1_COMMUNICATION_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 5;
+        /// 1801sub0 `TPDO 2 communication`, `Highest sub-index supported`, `UNSIGNED8`, const
+        pub const TPDO_2_COMMUNICATION_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 5;
+        /// 1A00sub0 `TPDO 1 mapping`, `Number of mapped objects`, `UNSIGNED8`, const
+        pub const TPDO_1_MAPPING_NUMBER_OF_MAPPED_OBJECTS: u8 = 2;
+        /// 1A01sub0 `TPDO 2 mapping`, `Number of mapped objects`, `UNSIGNED8`, const
+        pub const TPDO_2_MAPPING_NUMBER_OF_MAPPED_OBJECTS: u8 = 2;
         /// 5F0Asub0 `Node-ID and baud rate`, `Highest sub-index supported`, `UNSIGNED8`, const
         pub const NODE_ID_AND_BAUD_RATE_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 2;
         /// 6030sub0 `Speed value`, `Highest sub-index supported`, `UNSIGNED8`, ro
@@ -208,13 +208,13 @@ pub mod wv58mr_st {
             store_parameters: [0x0000_0001; 4],
             restore_default_parameters: [0x0000_0001; 4],
             cob_id_emergency_message: 0x0000_0080,
-            identity_object_serial_number: 0x0000_0001,
-            sdo_server_parameter_cob_id_client_to_server: 0x0000_0600,
-            sdo_server_parameter_cob_id_server_to_client: 0x0000_0580,
-            tpdo_1_communication_parameter_cob_id_of_tpdo_1: 0x0000_0180,
-            tpdo_2_communication_parameter_cob_id_of_tpdo_2: 0x0000_0280,
-            tpdo_1_mapping_parameter: [0x6004_0020, 0x6030_0110],
-            tpdo_2_mapping_parameter: [0x6004_0020, 0x6030_0110],
+            identity_serial_number: 0x0000_0001,
+            sdo_server_cob_id_client_to_server: 0x0000_0600,
+            sdo_server_cob_id_server_to_client: 0x0000_0580,
+            tpdo_1_communication_cob_id: 0x0000_0180,
+            tpdo_2_communication_cob_id: 0x0000_0280,
+            tpdo_1_mapping: [0x6004_0020, 0x6030_0110],
+            tpdo_2_mapping: [0x6004_0020, 0x6030_0110],
             application_offset: 0,
             can_bus_error_diagnosis: 0,
             measuring_units_per_revolution: 16384,
@@ -233,10 +233,10 @@ pub mod wv58mr_st {
             device_functionality: 2,
             guard_time: 0,
             producer_heartbeat_time: 0,
-            tpdo_1_communication_parameter_inhibit_time: 0,
-            tpdo_1_communication_parameter_event_timer: 0,
-            tpdo_2_communication_parameter_inhibit_time: 0,
-            tpdo_2_communication_parameter_event_timer: 0,
+            tpdo_1_communication_inhibit_time: 0,
+            tpdo_1_communication_event_timer: 0,
+            tpdo_2_communication_inhibit_time: 0,
+            tpdo_2_communication_event_timer: 0,
             limit_speed_low: 0,
             limit_speed_high: 0,
             operating_parameters: 4,
@@ -254,8 +254,8 @@ pub mod wv58mr_st {
             error_register: 0,
             predefined_error_field_number_of_errors: 0,
             life_time_factor: 0,
-            tpdo_1_communication_parameter_transmission_type: 254,
-            tpdo_2_communication_parameter_transmission_type: 1,
+            tpdo_1_communication_transmission_type: 254,
+            tpdo_2_communication_transmission_type: 1,
             calibrate_encoder_value: 0,
             node_id_and_baud_rate: [1, 5],
             speed_parameters_speed_source_selector: 2,
@@ -267,14 +267,10 @@ pub mod wv58mr_st {
         pub const fn new(node_id: NodeId) -> Self {
             Self {
                 cob_id_emergency_message: node_id.plus_u32(0x0000_0080),
-                sdo_server_parameter_cob_id_client_to_server: node_id
-                    .plus_u32(0x0000_0600),
-                sdo_server_parameter_cob_id_server_to_client: node_id
-                    .plus_u32(0x0000_0580),
-                tpdo_1_communication_parameter_cob_id_of_tpdo_1: node_id
-                    .plus_u32(0x0000_0180),
-                tpdo_2_communication_parameter_cob_id_of_tpdo_2: node_id
-                    .plus_u32(0x0000_0280),
+                sdo_server_cob_id_client_to_server: node_id.plus_u32(0x0000_0600),
+                sdo_server_cob_id_server_to_client: node_id.plus_u32(0x0000_0580),
+                tpdo_1_communication_cob_id: node_id.plus_u32(0x0000_0180),
+                tpdo_2_communication_cob_id: node_id.plus_u32(0x0000_0280),
                 ..Self::DEFAULTS
             }
         }
@@ -364,24 +360,24 @@ pub mod wv58mr_st {
         Row::value(0x1018, 0x00, DataType::UNSIGNED8, CONST, 20),
         Row::elements(0x1018, 0x01, 0x02, DataType::UNSIGNED32, CONST, 21),
         Row::value(0x1018, 0x03, DataType::UNSIGNED32, CONST, 25),
-        Row::value(0x1018, 0x04, DataType::UNSIGNED32, RO, offset_of!(Dictionary, identity_object_serial_number)),
+        Row::value(0x1018, 0x04, DataType::UNSIGNED32, RO, offset_of!(Dictionary, identity_serial_number)),
         Row::value(0x1200, 0x00, DataType::UNSIGNED8, CONST, 29),
-        Row::value(0x1200, 0x01, DataType::UNSIGNED32, RO.with(Access::NODE_ID), offset_of!(Dictionary, sdo_server_parameter_cob_id_client_to_server)),
-        Row::value(0x1200, 0x02, DataType::UNSIGNED32, RO.with(Access::NODE_ID), offset_of!(Dictionary, sdo_server_parameter_cob_id_server_to_client)),
+        Row::value(0x1200, 0x01, DataType::UNSIGNED32, RO.with(Access::NODE_ID), offset_of!(Dictionary, sdo_server_cob_id_client_to_server)),
+        Row::value(0x1200, 0x02, DataType::UNSIGNED32, RO.with(Access::NODE_ID), offset_of!(Dictionary, sdo_server_cob_id_server_to_client)),
         Row::value(0x1800, 0x00, DataType::UNSIGNED8, CONST, 30),
-        Row::value(0x1800, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_1_communication_parameter_cob_id_of_tpdo_1)),
-        Row::value(0x1800, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_1_communication_parameter_transmission_type)),
-        Row::value(0x1800, 0x03, DataType::UNSIGNED16, RO, offset_of!(Dictionary, tpdo_1_communication_parameter_inhibit_time)),
-        Row::value(0x1800, 0x05, DataType::UNSIGNED16, RW, offset_of!(Dictionary, tpdo_1_communication_parameter_event_timer)),
+        Row::value(0x1800, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_1_communication_cob_id)),
+        Row::value(0x1800, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_1_communication_transmission_type)),
+        Row::value(0x1800, 0x03, DataType::UNSIGNED16, RO, offset_of!(Dictionary, tpdo_1_communication_inhibit_time)),
+        Row::value(0x1800, 0x05, DataType::UNSIGNED16, RW, offset_of!(Dictionary, tpdo_1_communication_event_timer)),
         Row::value(0x1801, 0x00, DataType::UNSIGNED8, CONST, 30),
-        Row::value(0x1801, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_2_communication_parameter_cob_id_of_tpdo_2)),
-        Row::value(0x1801, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_2_communication_parameter_transmission_type)),
-        Row::value(0x1801, 0x03, DataType::UNSIGNED16, RO, offset_of!(Dictionary, tpdo_2_communication_parameter_inhibit_time)),
-        Row::value(0x1801, 0x05, DataType::UNSIGNED16, RO, offset_of!(Dictionary, tpdo_2_communication_parameter_event_timer)),
+        Row::value(0x1801, 0x01, DataType::UNSIGNED32, RW.with(Access::NODE_ID), offset_of!(Dictionary, tpdo_2_communication_cob_id)),
+        Row::value(0x1801, 0x02, DataType::UNSIGNED8, RW, offset_of!(Dictionary, tpdo_2_communication_transmission_type)),
+        Row::value(0x1801, 0x03, DataType::UNSIGNED16, RO, offset_of!(Dictionary, tpdo_2_communication_inhibit_time)),
+        Row::value(0x1801, 0x05, DataType::UNSIGNED16, RO, offset_of!(Dictionary, tpdo_2_communication_event_timer)),
         Row::value(0x1A00, 0x00, DataType::UNSIGNED8, CONST, 29),
-        Row::elements(0x1A00, 0x01, 0x02, DataType::UNSIGNED32, RO, offset_of!(Dictionary, tpdo_1_mapping_parameter)),
+        Row::elements(0x1A00, 0x01, 0x02, DataType::UNSIGNED32, RO, offset_of!(Dictionary, tpdo_1_mapping)),
         Row::value(0x1A01, 0x00, DataType::UNSIGNED8, CONST, 29),
-        Row::elements(0x1A01, 0x01, 0x02, DataType::UNSIGNED32, RO, offset_of!(Dictionary, tpdo_2_mapping_parameter)),
+        Row::elements(0x1A01, 0x01, 0x02, DataType::UNSIGNED32, RO, offset_of!(Dictionary, tpdo_2_mapping)),
         Row::value(0x2001, 0x00, DataType::INTEGER32, RW.with(Access::EXTRA), 4),
         Row::value(0x2002, 0x00, DataType::UNSIGNED8, WO, offset_of!(Dictionary, calibrate_encoder_value)),
         Row::value(0x2003, 0x00, DataType::INTEGER16, RW, offset_of!(Dictionary, limit_speed_low)),
