@@ -2,6 +2,7 @@
 
 pub mod bus;
 pub mod client;
+pub mod corpus;
 pub mod dialogue;
 pub mod generated;
 pub mod line;

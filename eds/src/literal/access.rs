@@ -1,6 +1,6 @@
 //! AccessType.
 
-use super::{Fault, Literal, Note, Notes, without_comment};
+use super::{Fault, Literal, Note, without_comment};
 use crate::ir::AccessType;
 
 const ALL: [AccessType; 6] = [
@@ -12,7 +12,7 @@ const ALL: [AccessType; 6] = [
     AccessType::Wo,
 ];
 
-/// Reads an access type in any case.
+/// Reads an access type in any case; `R` and `W` stand for `ro` and `wo`.
 ///
 /// # Errors
 ///
@@ -20,19 +20,27 @@ const ALL: [AccessType; 6] = [
 pub fn access(text: &str) -> Result<Literal<AccessType>, Fault> {
     without_comment(text, |text| {
         let is_named = |access: &&AccessType| access.name().eq_ignore_ascii_case(text);
-        let value = *ALL.iter().find(is_named).ok_or(Fault::UnknownWord)?;
-        let notes = if text == value.name() {
-            Notes::NONE
-        } else {
-            Note::LetterCase.into()
-        };
-        Ok(Literal { value, notes })
+        match (ALL.iter().find(is_named), text) {
+            (Some(&value), _) if text == value.name() => Ok(Literal::plain(value)),
+            (Some(&value), _) => Ok(unusual(value, Note::LetterCase)),
+            (None, "R" | "r") => Ok(unusual(AccessType::Ro, Note::Abbreviation)),
+            (None, "W" | "w") => Ok(unusual(AccessType::Wo, Note::Abbreviation)),
+            _ => Err(Fault::UnknownWord),
+        }
     })
+}
+
+fn unusual(value: AccessType, note: Note) -> Literal<AccessType> {
+    Literal {
+        value,
+        notes: note.into(),
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{AccessType, Fault, Note, Notes, access};
+    use super::{AccessType, Fault, Note, access};
+    use crate::literal::Notes;
 
     #[test]
     fn an_access_type_is_read_in_any_case_and_another_case_is_noted() {
@@ -55,8 +63,14 @@ mod tests {
     }
 
     #[test]
+    fn one_letter_is_read_and_noted() {
+        assert_eq!(access("R"), Ok(super::unusual(AccessType::Ro, Note::Abbreviation)));
+        assert_eq!(access("W"), Ok(super::unusual(AccessType::Wo, Note::Abbreviation)));
+    }
+
+    #[test]
     fn other_words_are_refused() {
-        for text in ["", "R", "UNKNOWN", "r w", "readonly"] {
+        for text in ["", "X", "UNKNOWN", "r w", "readonly"] {
             assert_eq!(access(text), Err(Fault::UnknownWord), "{text}");
         }
     }

@@ -27,10 +27,12 @@ pub enum Note {
     RealAsBits,
     /// A word that the standard has in small letters: `RO`.
     LetterCase,
+    /// `R` for `ro`, `W` for `wo`.
+    Abbreviation,
 }
 
 impl Note {
-    const ALL: [Self; 10] = [
+    const ALL: [Self; 11] = [
         Self::TrailingComment,
         Self::TwosComplement,
         Self::WideHex,
@@ -41,6 +43,7 @@ impl Note {
         Self::Quoted,
         Self::RealAsBits,
         Self::LetterCase,
+        Self::Abbreviation,
     ];
 }
 
