@@ -1,7 +1,7 @@
 //! Reads every real file there is, and pins what each gives: objects, values, and what was stumbled over.
 
 use std::collections::BTreeMap;
-use std::fmt::{Debug, Write};
+use std::fmt::Debug;
 
 use lexican_eds::{Reading, document, model};
 use lexican_tests::corpus::{CorpusFile, corpus};
@@ -33,18 +33,18 @@ fn a_file_of_another_format_is_told_so_and_nothing_else() {
 
 /// A line for each file: its name, how many objects and values it has, and how often it gave which problem.
 fn table(files: Vec<CorpusFile>) -> String {
-    let mut table = String::new();
-    for file in files {
-        let reading = lexican_eds::read(file.name.as_str(), file.bytes);
-        let objects = reading.dictionary.objects.len();
-        let values = reading.dictionary.entries().count();
-        write!(table, "{} | {objects} | {values} |", file.name).unwrap();
-        for (kind, count) in problems(&reading) {
-            write!(table, " {kind} {count}").unwrap();
-        }
-        table.push('\n');
-    }
-    table
+    files.into_iter().map(line).collect()
+}
+
+fn line(file: CorpusFile) -> String {
+    let reading = lexican_eds::read(file.name.as_str(), file.bytes);
+    let objects = reading.dictionary.objects.len();
+    let values = reading.dictionary.entries().count();
+    let problems = problems(&reading)
+        .into_iter()
+        .map(|(kind, count)| format!(" {kind} {count}"));
+    let problems: String = problems.collect();
+    format!("{} | {objects} | {values} |{problems}\n", file.name)
 }
 
 fn problems(reading: &Reading) -> BTreeMap<String, usize> {

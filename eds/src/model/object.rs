@@ -17,13 +17,13 @@ pub struct Object {
     /// `[xxxxsubN]`, sorted by sub-index.
     pub subs: Vec<Sub>,
     /// `[xxxxName]`: names of sub-objects without section.
-    pub names: Option<List<String>>,
+    pub names: Option<Box<List<String>>>,
     /// `[xxxxValue]`: values of sub-objects without section.
-    pub values: Option<List<Value>>,
+    pub values: Option<Box<List<Value>>>,
     /// `[xxxxDenotation]`: denotations of sub-objects without section.
-    pub denotations: Option<List<String>>,
+    pub denotations: Option<Box<List<String>>>,
     /// `[xxxxObjectLinks]`
-    pub links: Option<List<u16>>,
+    pub links: Option<Box<List<u16>>>,
 }
 
 /// A sub-object: `[1018sub1]`.
@@ -67,11 +67,11 @@ impl Object {
                 let description = read_description(fields, section, self.sub_type(sub));
                 self.subs.push(Sub { sub, description });
             }
-            SectionName::Name(_) => self.names = Some(read_texts(fields, section)),
-            SectionName::Denotation(_) => self.denotations = Some(read_texts(fields, section)),
-            SectionName::Value(_) => self.values = Some(self.read_values(fields, section)),
+            SectionName::Name(_) => self.names = Some(Box::new(read_texts(fields, section))),
+            SectionName::Denotation(_) => self.denotations = Some(Box::new(read_texts(fields, section))),
+            SectionName::Value(_) => self.values = Some(Box::new(self.read_values(fields, section))),
             SectionName::ObjectLinks(_) => {
-                self.links = Some(list::read_numbers(fields, section, Keyword::ObjectLinks));
+                self.links = Some(Box::new(list::read_numbers(fields, section, Keyword::ObjectLinks)));
             }
             _ => {}
         }

@@ -65,20 +65,20 @@ fn undescribed(index: u16, sub: u8, description: &Description, problems: &mut Ve
 /// What a section of the sub-object itself says comes first.
 pub(super) fn apply_lists(object: &model::Object, entries: &mut [Entry], problems: &mut Vec<Problem>) {
     let has_section = |entry: &Entry| object.sub(entry.address.sub).is_some();
-    apply(object.names.as_ref(), entries, problems, |entry, name| {
+    apply(object.names.as_deref(), entries, problems, |entry, name| {
         if !has_section(entry) {
             entry.name.clone_from(&name.value);
             entry.spans.name = name.span;
         }
     });
-    apply(object.values.as_ref(), entries, problems, |entry, value| {
+    apply(object.values.as_deref(), entries, problems, |entry, value| {
         if !entry.configured {
             entry.default = Some(value.value.clone());
             entry.configured = true;
             entry.spans.default = value.span;
         }
     });
-    apply(object.denotations.as_ref(), entries, problems, |entry, denotation| {
+    apply(object.denotations.as_deref(), entries, problems, |entry, denotation| {
         entry.denotation.get_or_insert_with(|| denotation.value.clone());
     });
 }

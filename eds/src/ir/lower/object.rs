@@ -21,7 +21,7 @@ pub(super) fn lower(object: &model::Object, problems: &mut Vec<Problem>) -> Obje
         links: object
             .links
             .iter()
-            .flat_map(model::List::values)
+            .flat_map(|list| list.values())
             .map(|link| link.value)
             .collect(),
         span: object.header(),
