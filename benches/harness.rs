@@ -20,15 +20,31 @@ pub fn frames(operation: &str) -> Vec<(u16, [u8; 8])> {
     }
 }
 
-/// Does `exchange` with each frame `n` times over. It gives the response that is to be sent.
-pub fn exchange_all<F>(operation: &str, n: u32, mut exchange: impl FnMut(u16, [u8; 8]) -> Option<F>) {
+/// Does `exchange` with each frame `n` times over. It gives the response that is to be sent; `command` is the first byte
+/// of one.
+pub fn exchange_all<F>(
+    operation: &str,
+    n: u32,
+    command: impl Fn(&F) -> u8,
+    mut exchange: impl FnMut(u16, [u8; 8]) -> Option<F>,
+) {
     let frames = frames(operation);
+    for &(id, data) in &frames {
+        let response = exchange(id, data).expect("a response");
+        // An abort is quick, but it is not the operation.
+        assert_ne!(command(&response), 0x80, "{operation} was refused");
+    }
     for _ in 0..n {
         for &(id, data) in &frames {
             let response = exchange(black_box(id), black_box(data));
             assert!(black_box(response).is_some(), "{operation}: no response");
         }
     }
+}
+
+/// Ends the bench of what a stack does not have.
+pub fn absent() -> ! {
+    std::process::exit(2)
 }
 
 /// The arguments: operation, whether the dictionary has 1000 objects, how often.

@@ -26,11 +26,13 @@ fn main() {
 fn run<const N: usize>(dictionary: ObjectDictionary<N>, operation: &str, n: u32) {
     let mut node = Node::new(NodeId::new(0x10).unwrap(), dictionary);
     black_box(node.boot());
-    if operation == "lookup" {
-        for _ in 0..n {
-            black_box(node.od().read(black_box(Address::new(0x6004, 0)))).unwrap();
+    match operation {
+        "lookup" => {
+            for _ in 0..n {
+                black_box(node.od().entry(black_box(Address::new(0x6004, 0)))).unwrap();
+            }
         }
-        return;
+        "harness" | "idle" => harness::absent(),
+        _ => harness::exchange_all(operation, n, |frame| frame.data()[0], |id, data| node.on_frame(id, &data)),
     }
-    harness::exchange_all(operation, n, |id, data| node.on_frame(id, &data));
 }

@@ -4,7 +4,8 @@
 //! that a master speaks with the same code. The contract of the whole layer:
 //!
 //! * `parse` takes any bytes and never panics. It ignores reserved bits, as CiA 301 asks of a receiver.
-//! * `emit` sets reserved bits and unused bytes to 0, as CiA 301 asks of a sender.
+//! * `emit` sets reserved bits and bytes to 0, as CiA 301 asks of a sender. Bytes beyond a message's own length are sent
+//!   as they stand in it: whoever makes the message fills them, with 0.
 //! * What `emit` made, `parse` gives back.
 
 pub mod heartbeat;
