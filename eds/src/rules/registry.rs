@@ -97,6 +97,7 @@ const RULES: &[Rule] = &[
     Rule::reading::<obj::TooManySubObjects>(),
     Rule::model::<obj::DomainValue>(),
     Rule::model::<obj::OctalValue>(),
+    Rule::dictionary::<obj::InvertedReadOnlyLimits>(),
     Rule::dump::<dmp::MissingObject>(),
     Rule::dump::<dmp::UndeclaredObject>(),
     Rule::dump::<dmp::WrongLength>(),
