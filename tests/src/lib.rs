@@ -8,3 +8,8 @@ pub mod generated;
 pub mod line;
 pub mod sample;
 pub mod simulated;
+
+/// The first page: its examples run as tests, the build script with the others of this package.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+pub struct FirstPage;
