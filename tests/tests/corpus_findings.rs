@@ -29,7 +29,7 @@ fn each_rule_hits_as_many_real_files_as_was_looked_at() {
             *findings += same.len();
         }
     }
-    let mut table = format!("of {} files\n\nrule    level  files  findings\n", number);
+    let mut table = format!("of {number} files\n\nrule    level  files  findings\n");
     for rule in rules::all().iter().filter(|rule| rule.code().family() != "DMP") {
         let (files, findings) = hits.get(rule.code().as_str()).copied().unwrap_or_default();
         let _ = writeln!(
