@@ -68,6 +68,13 @@ impl DataType {
         FACTS.iter().find(|facts| facts.1 == index).map(|facts| facts.0)
     }
 
+    /// The type with the standard's name, in any case: `UNSIGNED32`.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        let found = FACTS.iter().find(|facts| facts.2.eq_ignore_ascii_case(name));
+        found.map(|facts| facts.0)
+    }
+
     fn facts(self) -> &'static (Self, u16, &'static str, u8) {
         // `FACTS` stands in the order of the enum; a test holds it to that.
         &FACTS[self as usize]

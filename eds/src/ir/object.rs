@@ -38,6 +38,35 @@ impl ObjectCode {
         })
     }
 
+    /// The object code with the standard's name, in any case: `VAR`.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        let all = [
+            Self::Null,
+            Self::Domain,
+            Self::DefType,
+            Self::DefStruct,
+            Self::Var,
+            Self::Array,
+            Self::Record,
+        ];
+        all.into_iter().find(|code| code.name().eq_ignore_ascii_case(name))
+    }
+
+    /// The standard's name: `VAR`.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Null => "NULL",
+            Self::Domain => "DOMAIN",
+            Self::DefType => "DEFTYPE",
+            Self::DefStruct => "DEFSTRUCT",
+            Self::Var => "VAR",
+            Self::Array => "ARRAY",
+            Self::Record => "RECORD",
+        }
+    }
+
     /// The standard's number.
     #[must_use]
     pub const fn number(self) -> u8 {

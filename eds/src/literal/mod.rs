@@ -10,23 +10,24 @@
 //! | real | decimal text with or without exponent and suffix `f`; hex as the IEEE 754 pattern when it has all its digits |
 //! | text | as written, without one pair of double quotes around it |
 //! | bytes | pairs of hex digits, with or without blanks and a leading `0x` |
-//! | access | `ro`, `rw`, `wo`, `rwr`, `rww`, `const` in any case |
+//! | access type | `ro`, `rw`, `wo`, `rwr`, `rww`, `const` in any case, `R`, `W` |
+//! | object code, data type | a number, or the standard's name for it |
 //! | time | `days milliseconds`, or one number of 48 bits |
 //!
 //! A comment after the value (`0x0007 # UNSIGNED32`, `5 ; ms`) is left out where a `#` or `;` cannot be part of it, that
 //! is everywhere but in texts.
 
-mod access;
 mod bytes;
 mod note;
 mod number;
 mod real;
 mod value;
+mod word;
 
-pub use access::access;
 pub use note::{Fault, Note, Notes};
 pub use number::{Integer, Number, Radix, integer, number};
 pub use value::{text, unsigned, value};
+pub use word::{access, data_type, object_code};
 
 /// A value and how it was written.
 #[derive(Clone, Debug, PartialEq)]

@@ -29,10 +29,12 @@ pub enum Note {
     LetterCase,
     /// `R` for `ro`, `W` for `wo`.
     Abbreviation,
+    /// A name in place of its number: `VAR`, `UNSIGNED32`.
+    Name,
 }
 
 impl Note {
-    const ALL: [Self; 11] = [
+    const ALL: [Self; 12] = [
         Self::TrailingComment,
         Self::TwosComplement,
         Self::WideHex,
@@ -44,6 +46,7 @@ impl Note {
         Self::RealAsBits,
         Self::LetterCase,
         Self::Abbreviation,
+        Self::Name,
     ];
 }
 

@@ -111,7 +111,7 @@ pub(super) fn read<'d>(
             Keyword::HighLimit => first(&mut typed.high_limit, Some(entry)),
             Keyword::ParameterName => first(&mut description.parameter_name, fields.text(entry)),
             Keyword::ObjectType => first(&mut description.object_type, fields.object_code(entry)),
-            Keyword::DataType => first(&mut description.data_type, fields.number(entry)),
+            Keyword::DataType => first(&mut description.data_type, fields.data_type(entry)),
             Keyword::AccessType => first(&mut description.access_type, fields.access(entry)),
             Keyword::PdoMapping => first(&mut description.pdo_mapping, fields.flag(entry)),
             Keyword::ObjFlags => first(&mut description.obj_flags, fields.number(entry)),

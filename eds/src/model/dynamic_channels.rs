@@ -73,7 +73,7 @@ impl Segment {
 
     fn read(&mut self, fields: &mut Fields<'_>, entry: &Entry) {
         match entry.keyword {
-            Keyword::Type(_) => first(&mut self.data_type, fields.number(entry)),
+            Keyword::Type(_) => first(&mut self.data_type, fields.data_type(entry)),
             Keyword::Dir(_) => first(&mut self.direction, fields.access(entry)),
             Keyword::Range(_) => first(&mut self.range, fields.read(entry, Expected::IndexRange, range)),
             Keyword::PpOffset(_) => first(&mut self.pp_offset, fields.number(entry)),

@@ -72,12 +72,11 @@ impl<'d> Fields<'d> {
     }
 
     pub(super) fn object_code(&mut self, entry: &Entry) -> Option<Spanned<ObjectCode>> {
-        self.read(entry, Expected::ObjectCode, |text| {
-            let literal = literal::unsigned(text, u64::MAX)?;
-            let code = u8::try_from(literal.value).ok().and_then(ObjectCode::from_number);
-            let code = code.ok_or(Fault::OutOfRange)?;
-            Ok(literal.map(|_| code))
-        })
+        self.read(entry, Expected::ObjectCode, literal::object_code)
+    }
+
+    pub(super) fn data_type(&mut self, entry: &Entry) -> Option<Spanned<u16>> {
+        self.read(entry, Expected::DataType, literal::data_type)
     }
 
     /// A value of the type with index `data_type`; an empty one is none.

@@ -99,6 +99,8 @@ pub enum Expected {
     Value(DataType),
     /// The number of an object code: 0, 2, 5 to 9.
     ObjectCode,
+    /// The index of a data type.
+    DataType,
     /// `ro`, `rw`, `wo`, `rwr`, `rww`, `const`.
     AccessType,
     /// Any text.
