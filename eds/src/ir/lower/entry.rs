@@ -1,6 +1,6 @@
 //! One value.
 
-use super::Problem;
+use super::{Lowering, Problem};
 use crate::document::Keyword;
 use crate::ir::{AccessType, Address, DataType, Entry, EntrySpans, ObjectCode, Value};
 use crate::model::{Configuration, Description};
@@ -11,11 +11,11 @@ pub(super) fn lower(
     address: Address,
     description: &Description,
     object: Option<&Description>,
-    problems: &mut Vec<Problem>,
+    lowering: &mut Lowering,
 ) -> Entry {
-    require_name(address, description, problems);
-    let data_type = data_type(address, description, object, problems);
-    let access = access(address, description, object, problems);
+    require_name(address, description, lowering);
+    let data_type = data_type(address, description, object, lowering);
+    let access = access(address, description, object, lowering);
     let configuration = description.configuration.as_deref();
     let configured = description.parameter_value();
     let default = configured.or(description.default_value.as_ref());
@@ -103,9 +103,9 @@ fn span<T>(value: Option<&Spanned<T>>, header: Span) -> Span {
     value.map_or(header, |value| value.span)
 }
 
-fn require_name(address: Address, description: &Description, problems: &mut Vec<Problem>) {
+fn require_name(address: Address, description: &Description, lowering: &mut Lowering) {
     if !description.mentions(Keyword::ParameterName) {
-        problems.push(missing(Keyword::ParameterName, address, description));
+        lowering.report(missing(Keyword::ParameterName, address, description));
     }
 }
 
@@ -127,11 +127,11 @@ fn data_type(
     address: Address,
     description: &Description,
     object: Option<&Description>,
-    problems: &mut Vec<Problem>,
+    lowering: &mut Lowering,
 ) -> Spanned<DataType> {
     let optional = is_domain(description);
     if !optional && !description.mentions(Keyword::DataType) {
-        problems.push(missing(Keyword::DataType, address, description));
+        lowering.report(missing(Keyword::DataType, address, description));
     }
     let of_object = || object.filter(|_| address.sub != 0)?.data_type;
     let Some(index) = description.data_type.or_else(of_object) else {
@@ -143,7 +143,7 @@ fn data_type(
     };
     index.map(|data_type| {
         DataType::from_index(data_type).unwrap_or_else(|| {
-            problems.push(Problem::UnknownDataType {
+            lowering.report(Problem::UnknownDataType {
                 address,
                 data_type,
                 at: index.span,
@@ -157,11 +157,11 @@ fn access(
     address: Address,
     description: &Description,
     object: Option<&Description>,
-    problems: &mut Vec<Problem>,
+    lowering: &mut Lowering,
 ) -> Spanned<AccessType> {
     let optional = is_domain(description);
     if !optional && !description.mentions(Keyword::AccessType) {
-        problems.push(missing(Keyword::AccessType, address, description));
+        lowering.report(missing(Keyword::AccessType, address, description));
     }
     let of_object = || object.filter(|_| address.sub != 0)?.access_type;
     let assumed = if optional { AccessType::Rw } else { AccessType::Ro };

@@ -1,6 +1,6 @@
 //! The three object lists.
 
-use super::Problem;
+use super::{Lowering, Problem};
 use crate::ir::{Object, ObjectList};
 use crate::model::{Eds, List};
 use crate::span::Span;
@@ -13,13 +13,13 @@ struct Listed {
 }
 
 /// Tells each object the list that names it. `objects` are sorted.
-pub(super) fn assign(eds: &Eds, objects: &mut [Object], problems: &mut Vec<Problem>) {
+pub(super) fn assign(eds: &Eds, objects: &mut [Object], lowering: &mut Lowering) {
     let mut objects = objects.iter_mut().peekable();
-    for listed in listed_once(eds, problems) {
+    for listed in listed_once(eds, lowering) {
         while objects.next_if(|object| object.index < listed.index).is_some() {}
         match objects.peek_mut().filter(|object| object.index == listed.index) {
             Some(object) => object.list = Some(listed.list),
-            None => problems.push(Problem::AbsentObject {
+            None => lowering.report(Problem::AbsentObject {
                 index: listed.index,
                 list: listed.list,
                 at: listed.at,
@@ -29,7 +29,7 @@ pub(super) fn assign(eds: &Eds, objects: &mut [Object], problems: &mut Vec<Probl
 }
 
 /// Reports the objects that have sections but stand in no list. `objects` are sorted and know their lists.
-pub(super) fn report_unlisted(eds: &Eds, objects: &[Object], problems: &mut Vec<Problem>) {
+pub(super) fn report_unlisted(eds: &Eds, objects: &[Object], lowering: &mut Lowering) {
     let mut fixed: Vec<u16> = eds
         .modules
         .iter()
@@ -41,14 +41,14 @@ pub(super) fn report_unlisted(eds: &Eds, objects: &[Object], problems: &mut Vec<
     let unlisted = objects.iter().filter(|object| object.list.is_none());
     let described = unlisted.filter(|object| eds.object(object.index).is_some());
     let unlisted = described.filter(|object| fixed.binary_search(&object.index).is_err());
-    problems.extend(unlisted.map(|object| Problem::UnlistedObject {
+    lowering.problems.extend(unlisted.map(|object| Problem::UnlistedObject {
         index: object.index,
         at: object.span,
     }));
 }
 
 /// All listed indices, sorted; each once.
-fn listed_once(eds: &Eds, problems: &mut Vec<Problem>) -> Vec<Listed> {
+fn listed_once(eds: &Eds, lowering: &mut Lowering) -> Vec<Listed> {
     let lists = [
         (&eds.mandatory, ObjectList::Mandatory),
         (&eds.optional, ObjectList::Optional),
@@ -62,7 +62,7 @@ fn listed_once(eds: &Eds, problems: &mut Vec<Problem>) -> Vec<Listed> {
     all.dedup_by(|again, first| {
         let same = again.index == first.index;
         if same {
-            problems.push(Problem::ListedTwice {
+            lowering.report(Problem::ListedTwice {
                 index: again.index,
                 at: again.at,
                 first: first.at,

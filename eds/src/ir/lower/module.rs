@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::{Problem, entry, object};
+use super::{Lowering, Problem, entry, object};
 use crate::ir::{Address, DataType, Entry, Object, ObjectCode, Value};
 use crate::model::{Count, Eds, List, Module, SubExtension};
 
@@ -13,21 +13,21 @@ const MOST_MODULES: usize = 254;
 const HIGHEST: u8 = 254;
 
 /// Adds to `objects` what the connected modules bring, in the order of their places.
-pub(super) fn compose(eds: &Eds, objects: &mut Vec<Object>, problems: &mut Vec<Problem>) {
+pub(super) fn compose(eds: &Eds, objects: &mut Vec<Object>, lowering: &mut Lowering) {
     let Some(connected) = &eds.connected_modules else {
         return;
     };
     let mut places: Vec<_> = connected.items.iter().collect();
     places.sort_by_key(|place| place.number.value);
     if let Some(beyond) = places.get(MOST_MODULES) {
-        problems.push(Problem::TooManyModules { at: beyond.value.span });
+        lowering.report(Problem::TooManyModules { at: beyond.value.span });
     }
-    let mut composition = Composition::new(objects, problems);
+    let mut composition = Composition::new(objects, lowering);
     for place in places.into_iter().take(MOST_MODULES) {
         let number = place.value.value;
         match eds.modules.binary_search_by_key(&number, |module| module.number) {
             Ok(at) => composition.connect(&eds.modules[at]),
-            Err(_) => composition.problems.push(Problem::UnknownModule {
+            Err(_) => composition.lowering.report(Problem::UnknownModule {
                 number,
                 at: place.value.span,
             }),
@@ -37,7 +37,7 @@ pub(super) fn compose(eds: &Eds, objects: &mut Vec<Object>, problems: &mut Vec<P
 
 struct Composition<'a> {
     objects: &'a mut Vec<Object>,
-    problems: &'a mut Vec<Problem>,
+    lowering: &'a mut Lowering,
     /// Where an object stands in `objects`.
     places: HashMap<u16, usize>,
     /// The modules whose fixed objects are there.
@@ -55,7 +55,7 @@ struct Extended {
 }
 
 impl<'a> Composition<'a> {
-    fn new(objects: &'a mut Vec<Object>, problems: &'a mut Vec<Problem>) -> Self {
+    fn new(objects: &'a mut Vec<Object>, lowering: &'a mut Lowering) -> Self {
         let places = objects
             .iter()
             .enumerate()
@@ -63,7 +63,7 @@ impl<'a> Composition<'a> {
             .collect();
         Self {
             objects,
-            problems,
+            lowering,
             places,
             known: HashSet::new(),
             extended: HashMap::new(),
@@ -83,13 +83,13 @@ impl<'a> Composition<'a> {
     fn add_fixed(&mut self, module: &Module) {
         for fixed in &module.fixed {
             if !self.places.contains_key(&fixed.index) {
-                let object = object::lower(fixed, self.problems);
+                let object = object::lower(fixed, self.lowering);
                 self.push(object);
             }
         }
         for listed in module.fixed_objects.iter().flat_map(List::values) {
             if !self.places.contains_key(&listed.value) {
-                self.problems.push(Problem::AbsentModuleObject {
+                self.lowering.report(Problem::AbsentModuleObject {
                     number: module.number,
                     index: listed.value,
                     at: listed.span,
@@ -104,49 +104,45 @@ impl<'a> Composition<'a> {
     }
 
     fn extend(&mut self, extension: &SubExtension) {
-        match extension.count.map(|count| count.value) {
-            Some(Count::Subs(subs)) => {
-                for _ in 0..subs {
-                    self.add_sub(extension);
-                }
-            }
+        let added = match extension.count.map(|count| count.value) {
+            Some(Count::Subs(subs)) => (0..subs).try_for_each(|_| self.add_sub(extension)),
             Some(Count::Bits(bits)) => self.add_bits(extension, bits),
             None => self.add_sub(extension),
+        };
+        if let Err(problem) = added {
+            self.lowering.report(problem);
         }
     }
 
     /// Takes bits of the last sub-object, and further sub-objects when they are used up.
-    fn add_bits(&mut self, extension: &SubExtension, bits: u8) {
-        let data_type = extension
-            .description
-            .data_type
-            .and_then(|index| DataType::from_index(index.value));
+    fn add_bits(&mut self, extension: &SubExtension, bits: u8) -> Result<(), Problem> {
+        let data_type = extension.description.data_type;
+        let data_type = data_type.and_then(|index| DataType::from_index(index.value));
         let width = data_type.and_then(DataType::bits).unwrap_or(8);
-        let mut free = self
-            .extended
-            .get(&extension.index)
-            .map_or(0, |extended| extended.free_bits);
+        let extended = self.extended.get(&extension.index);
+        let mut free = extended.map_or(0, |extended| extended.free_bits);
         let mut needed = bits;
         while needed > free {
             needed -= free;
-            self.add_sub(extension);
+            self.add_sub(extension)?;
             free = width;
         }
         if let Some(extended) = self.extended.get_mut(&extension.index) {
             extended.free_bits = free - needed;
         }
+        Ok(())
     }
 
     /// Adds one sub-object behind the last one; in the next object when this one is full.
-    fn add_sub(&mut self, extension: &SubExtension) {
-        let Some(address) = self.next_free(extension) else {
-            self.problems.push(Problem::NoRoomForModule {
-                index: extension.index,
-                at: extension.description.header,
-            });
-            return;
-        };
-        let entry = sub_object(address, extension, self.problems);
+    fn add_sub(&mut self, extension: &SubExtension) -> Result<(), Problem> {
+        let (index, at) = (extension.index, extension.description.header);
+        let address = self
+            .next_free(extension)
+            .ok_or(Problem::NoRoomForModule { index, at })?;
+        if !self.lowering.take_room(1) {
+            return Err(Problem::TooManyValues { index, at });
+        }
+        let entry = sub_object(address, extension, self.lowering);
         if let Some(object) = self.object_at(address.index) {
             object.entries.push(entry);
             if let Some(sub_zero) = object.entries.first_mut() {
@@ -157,7 +153,8 @@ impl<'a> Composition<'a> {
             index: address.index,
             free_bits: 0,
         };
-        self.extended.insert(extension.index, extended);
+        self.extended.insert(index, extended);
+        Ok(())
     }
 
     /// Where the next sub-object goes: ObjExtend is the last sub-index of an object before the next index is used; if it
@@ -210,8 +207,8 @@ fn array(index: u16, extension: &SubExtension) -> Object {
     }
 }
 
-fn sub_object(address: Address, extension: &SubExtension, problems: &mut Vec<Problem>) -> Entry {
-    let mut entry = entry::lower(address, &extension.description, None, problems);
+fn sub_object(address: Address, extension: &SubExtension, lowering: &mut Lowering) -> Entry {
+    let mut entry = entry::lower(address, &extension.description, None, lowering);
     entry.name.push_str(&address.sub.to_string());
     entry
 }

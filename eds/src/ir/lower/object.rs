@@ -1,13 +1,13 @@
 //! One object.
 
-use super::{Problem, compact, entry};
+use super::{Lowering, Problem, compact, entry};
 use crate::document::Keyword;
 use crate::ir::{Address, Entry, Object, ObjectCode};
 use crate::model::{self, Description};
 
 /// Lowers an object; its list is not known here.
-pub(super) fn lower(object: &model::Object, problems: &mut Vec<Problem>) -> Object {
-    let code = code(object, problems);
+pub(super) fn lower(object: &model::Object, lowering: &mut Lowering) -> Object {
+    let code = code(object, lowering);
     Object {
         index: object.index,
         name: object
@@ -17,7 +17,7 @@ pub(super) fn lower(object: &model::Object, problems: &mut Vec<Problem>) -> Obje
             .unwrap_or_default(),
         code,
         list: None,
-        entries: entries(object, code, problems),
+        entries: entries(object, code, lowering),
         links: object
             .links
             .iter()
@@ -34,10 +34,10 @@ pub(super) const fn is_structured(code: ObjectCode) -> bool {
 }
 
 /// ObjectType, unless the object's sections are those of another kind of object.
-fn code(object: &model::Object, problems: &mut Vec<Problem>) -> ObjectCode {
+fn code(object: &model::Object, lowering: &mut Lowering) -> ObjectCode {
     let index = object.index;
     let Some(description) = &object.description else {
-        problems.push(Problem::OrphanedSubs {
+        lowering.report(Problem::OrphanedSubs {
             index,
             at: object.header(),
         });
@@ -52,7 +52,7 @@ fn code(object: &model::Object, problems: &mut Vec<Problem>) -> ObjectCode {
         None if shape == ObjectCode::Var => shape,
         _ => {
             let at = stated.map_or(description.header, |code| code.span);
-            problems.push(Problem::AssumedObjectCode {
+            lowering.report(Problem::AssumedObjectCode {
                 index,
                 assumed: shape,
                 at,
@@ -73,39 +73,39 @@ fn shape(object: &model::Object, description: &Description) -> ObjectCode {
     }
 }
 
-fn entries(object: &model::Object, code: ObjectCode, problems: &mut Vec<Problem>) -> Vec<Entry> {
+fn entries(object: &model::Object, code: ObjectCode, lowering: &mut Lowering) -> Vec<Entry> {
     if is_structured(code) {
-        return structure(object, code, problems);
+        return structure(object, code, lowering);
     }
     if let Some(sub) = object.subs.first() {
-        problems.push(Problem::SubsOfSingleValue {
+        lowering.report(Problem::SubsOfSingleValue {
             index: object.index,
             code,
             at: sub.description.header,
         });
     }
     let address = Address::new(object.index, 0);
-    let single = |description| entry::lower(address, description, None, problems);
+    let single = |description| entry::lower(address, description, None, lowering);
     match code {
         ObjectCode::Null => Vec::new(),
         _ => object.description.as_ref().map(single).into_iter().collect(),
     }
 }
 
-fn structure(object: &model::Object, code: ObjectCode, problems: &mut Vec<Problem>) -> Vec<Entry> {
-    let mut entries = compact::expand(object, problems);
-    compact::apply_lists(object, &mut entries, problems);
+fn structure(object: &model::Object, code: ObjectCode, lowering: &mut Lowering) -> Vec<Entry> {
+    let mut entries = compact::expand(object, lowering);
+    compact::apply_lists(object, &mut entries, lowering);
     let index = object.index;
     let at = object.header();
     let has_sub_zero = entries.first().is_some_and(|entry| entry.address.sub == 0);
     match entries.last() {
         // The definition of a record type may say no more than that there is one (CiA 301, 7.4.8).
         None if code == ObjectCode::DefStruct => {}
-        None => problems.push(Problem::NoSubs { index, at }),
+        None => lowering.report(Problem::NoSubs { index, at }),
         Some(_) if has_sub_zero => {}
         Some(last) => {
             let highest = last.address.sub;
-            problems.push(Problem::MissingSubZero { index, highest, at });
+            lowering.report(Problem::MissingSubZero { index, highest, at });
             entries.insert(0, entry::sub_zero(index, highest, at));
         }
     }

@@ -77,6 +77,13 @@ pub enum Problem {
         /// CompactSubObj.
         at: Span,
     },
+    /// The file's compact forms and modules stand for more than 500,000 values. Those of this object are left out.
+    TooManyValues {
+        /// The object.
+        index: u16,
+        /// CompactSubObj, or the header of the module's extension.
+        at: Span,
+    },
     /// A line of `[xxxxName]`, `[xxxxValue]` or `[xxxxDenotation]` for a sub-object that is not there. It is passed over.
     LineOfNoSub {
         /// The object.
@@ -154,6 +161,7 @@ impl Problem {
             | Self::MissingSubZero { at, .. }
             | Self::OrphanedSubs { at, .. }
             | Self::TooManySubs { at, .. }
+            | Self::TooManyValues { at, .. }
             | Self::LineOfNoSub { at, .. }
             | Self::AbsentObject { at, .. }
             | Self::UnlistedObject { at, .. }
