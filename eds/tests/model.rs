@@ -19,6 +19,10 @@ fn object(reading: &Reading) -> &Object {
     }
 }
 
+#[expect(
+    clippy::ref_option,
+    reason = "the fields are what they are; a call for each of them reads better so"
+)]
 fn value<T: Clone>(field: &Option<Spanned<T>>) -> Option<T> {
     field.as_ref().map(|field| field.value.clone())
 }
