@@ -119,7 +119,8 @@ impl Builder {
         let reading = lexican_eds::read(name, bytes);
         let found = rules::check(&reading, &levels);
         refuse_denied(&reading, &found)?;
-        let warnings = found.iter().map(|diagnostic| one_line(&reading, diagnostic)).collect();
+        let warnings = found.iter().filter(|diagnostic| diagnostic.level == Level::Warn);
+        let warnings = warnings.map(|diagnostic| one_line(&reading, diagnostic)).collect();
         let mut generated = self.generate_from(reading.document.source().name(), reading.dictionary)?;
         generated.warnings = warnings;
         Ok(generated)

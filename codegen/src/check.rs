@@ -61,28 +61,31 @@ pub(crate) fn size(plan: &Plan<'_>) -> Result<(), Error> {
 }
 
 fn missing(dictionary: &Dictionary, file: &str, selector: Selector) -> Error {
-    let near = match dictionary.object(selector.index()) {
-        Some(object) => sub_indices(object),
-        None => neighbours(dictionary, selector.index()),
+    let near = match (dictionary.object(selector.index()), selector) {
+        (Some(object), Selector::Value(_, sub)) => near_sub_indices(object, sub),
+        _ => near_objects(dictionary, selector.index()),
     };
     let file = file.to_owned();
     Error::NoSuchObject { selector, file, near }
 }
 
-/// The values of an object that has not the one that was asked for.
-fn sub_indices(object: &Object) -> Vec<String> {
-    let entries = object.entries.iter();
-    entries
-        .map(|entry| format!("{} {}", entry.address, quoted(&entry.name)))
-        .collect()
+fn near_sub_indices(object: &Object, sub: u8) -> Vec<String> {
+    let entries = nearest(&object.entries, |entry| entry.address.sub.abs_diff(sub));
+    let title = |entry: &Entry| format!("{} {}", entry.address, quoted(&entry.name));
+    entries.into_iter().map(title).collect()
 }
 
-/// The three objects whose indices come nearest.
-fn neighbours(dictionary: &Dictionary, index: u16) -> Vec<String> {
-    let mut objects: Vec<&Object> = dictionary.objects.iter().collect();
-    objects.sort_by_key(|object| object.index.abs_diff(index));
-    objects.truncate(3);
-    objects.sort_by_key(|object| object.index);
-    let title = |object: &&Object| format!("{:04X}h {}", object.index, quoted(&object.name));
-    objects.iter().map(title).collect()
+fn near_objects(dictionary: &Dictionary, index: u16) -> Vec<String> {
+    let objects = nearest(&dictionary.objects, |object| object.index.abs_diff(index));
+    let title = |object: &Object| format!("{:04X}h {}", object.index, quoted(&object.name));
+    objects.into_iter().map(title).collect()
+}
+
+/// The three of `sorted` that are least far, in their order.
+fn nearest<T, D: Ord>(sorted: &[T], distance: impl Fn(&T) -> D) -> Vec<&T> {
+    let mut numbers: Vec<usize> = (0..sorted.len()).collect();
+    numbers.sort_by_key(|&number| distance(&sorted[number]));
+    numbers.truncate(3);
+    numbers.sort_unstable();
+    numbers.into_iter().map(|number| &sorted[number]).collect()
 }

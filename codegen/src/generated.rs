@@ -64,7 +64,7 @@ impl Generated {
         &self.source
     }
 
-    /// What the rules found below [`Level::Deny`](lexican_eds::diagnostic::Level::Deny), a line each.
+    /// What the rules found at [`Level::Warn`](lexican_eds::diagnostic::Level::Warn), a line each.
     #[must_use]
     pub fn warnings(&self) -> &[String] {
         &self.warnings
@@ -78,9 +78,7 @@ impl Generated {
 
     /// Writes the source to `<name>.rs` in Cargo's OUT_DIR, whole or not at all, and tells Cargo what it depends on.
     ///
-    /// ```ignore
-    /// include!(concat!(env!("OUT_DIR"), "/wdga.rs"));
-    /// ```
+    /// `include!(concat!(env!("OUT_DIR"), "/wdga.rs"));` takes it into the crate.
     ///
     /// # Errors
     /// Outside a build script, and when the file cannot be written.
@@ -111,10 +109,49 @@ impl Generated {
         }
     }
 
-    /// The plan that the source was made by.
+    /// A skeleton of `Handlers` that compiles, to start an application from.
+    ///
+    /// # Errors
+    /// None that a file could be the reason of.
     #[cfg(feature = "templates")]
-    pub(crate) fn plan(&self) -> Plan<'_> {
-        Plan::new(&self.dictionary, &self.file, self.name.clone(), &self.options)
+    pub fn stubs(&self) -> Result<String, Error> {
+        self.render(&lexican_templates::STUBS)
+    }
+
+    /// The dictionary as Markdown: its objects, and its PDOs.
+    ///
+    /// # Errors
+    /// None that a file could be the reason of.
+    #[cfg(feature = "templates")]
+    pub fn docs(&self) -> Result<String, Error> {
+        self.render(&lexican_templates::DOCS)
+    }
+
+    /// Fills a template of the user's own. What it has to fill in:
+    ///
+    /// | name | is |
+    /// |---|---|
+    /// | `module` | the generated module's name |
+    /// | `file` | `name`, `version`, `revision`, `eds_version`, `description` |
+    /// | `device` | the keywords of `[DeviceInfo]`, as the fields of [`DeviceInfo`](lexican_eds::ir::DeviceInfo) are named; `baud_rates` in kbit/s |
+    /// | `commissioning` | those of `[DeviceComissioning]`; none without that section |
+    /// | `objects` | a list of: `index`, `name`, `code` (`VAR`), `list` (`mandatory`), `links`, `entries` |
+    /// | … `.entries` | a list of: `index`, `sub`, `name`, `data_type` (`UNSIGNED32`), `bits`, `access` (`rw`), `readable`, `writable`, `pdo_mapping`, `pdo` (`T`, `R`, `TR`), `default`, `configured`, `low`, `high`, `limits`, `unit`, `denotation`, `refuse_write_on_download`, `refuse_read_on_scan`, `upload_file`, `download_file`, `rust_name`, `is_constant`, `capacity` |
+    /// | `areas` | the same objects in a list of: `title` (`Communication`), `objects` |
+    /// | `pdos` | a list of: `direction` (`TPDO`), `number`, `cob_id`, `transmission_type`, `inhibit_time`, `event_timer`, `bits`, `mapped` |
+    /// | … `.mapped` | a list of: `index`, `sub`, `bits`, `name` |
+    /// | `handlers` | a list of: `method`, `about`, `index`, `subs`, `parameters`, `returns`, `body` (which gives the stored value) |
+    /// | `imports` | the runtime's types that `handlers` name |
+    ///
+    /// Indices, sub-indices and other counts are numbers; `default`, `low`, `high` and the PDOs' parameters are texts. What
+    /// the file does not give is `none`.
+    ///
+    /// # Errors
+    /// When the template is not one, or asks for what is not there.
+    #[cfg(feature = "templates")]
+    pub fn render(&self, template: &lexican_templates::Template<'_>) -> Result<String, Error> {
+        let plan = Plan::new(&self.dictionary, &self.file, self.name.clone(), &self.options);
+        template.render(crate::view::context(&plan)).map_err(Error::Template)
     }
 }
 

@@ -2,7 +2,8 @@
 
 use lexican_eds::ir::{Address, DataType, Entry, Object, Value};
 
-use super::{literal::number_text, unit::unit};
+use super::literal::number_text;
+pub(crate) use super::unit::unit;
 use crate::plan::{Item, Storage};
 
 /// The documentation of an item: a line with its facts, and of an array a line for each element that has its own.

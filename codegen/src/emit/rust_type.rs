@@ -28,7 +28,7 @@ pub(super) fn is_text(item: &Item<'_>) -> bool {
 }
 
 /// The type that a handler gives when a value is read.
-pub(super) fn read_type(kind: Kind) -> Type {
+pub(crate) fn read_type(kind: Kind) -> Type {
     match kind {
         Kind::Boolean => named_type("bool"),
         kind => stored_type(kind),
@@ -36,7 +36,7 @@ pub(super) fn read_type(kind: Kind) -> Type {
 }
 
 /// The type that a handler takes when a value is written.
-pub(super) fn written_type(kind: Kind) -> Type {
+pub(crate) fn written_type(kind: Kind) -> Type {
     match kind {
         Kind::Visible(_) | Kind::Octets(_) => parse_quote!(&[u8]),
         kind => read_type(kind),

@@ -70,6 +70,13 @@ impl<'a> Plan<'a> {
         fields
     }
 
+    /// The item that the value at `address` is in.
+    #[cfg(feature = "templates")]
+    pub(crate) fn item(&self, address: Address) -> Option<&Item<'a>> {
+        let after = self.items.partition_point(|item| item.address() <= address);
+        self.items.get(after.checked_sub(1)?)
+    }
+
     /// The items that are constants, in the order of addresses.
     pub(crate) fn constants(&self) -> impl Iterator<Item = &Item<'a>> {
         self.items.iter().filter(|item| item.storage == Storage::Constant)
