@@ -42,6 +42,11 @@ impl Input {
         };
         bytes.map_err(|error| Failure::io("cannot read", &self.name(), &error))
     }
+
+    pub(crate) fn read_text(&self) -> Result<String, Failure> {
+        let text = String::from_utf8(self.read()?);
+        text.map_err(|_| Failure::new(format!("cannot read {}: it is not UTF-8 text", self.name())))
+    }
 }
 
 fn read_stdin() -> io::Result<Vec<u8>> {

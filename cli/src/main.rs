@@ -29,7 +29,14 @@ struct Arguments {
     command: Command,
 
     /// When to colour the output; `auto` asks the terminal and NO_COLOR
-    #[arg(long, value_enum, value_name = "WHEN", default_value_t, global = true)]
+    #[arg(
+        long,
+        value_enum,
+        value_name = "WHEN",
+        default_value_t,
+        global = true,
+        display_order = 100
+    )]
     color: Color,
 }
 

@@ -1,6 +1,10 @@
-//! Standard output, whose reader may leave.
+//! Standard output, whose reader may leave, and files that appear whole or not at all.
 
-use std::io::{self, BufWriter, ErrorKind, Write};
+use std::{
+    fs,
+    io::{self, BufWriter, ErrorKind, Write},
+    path::Path,
+};
 
 use anstream::AutoStream;
 
@@ -52,4 +56,46 @@ fn unless_gone<T>(result: io::Result<T>, done: T) -> io::Result<T> {
 
 pub(crate) fn unwritten(error: &io::Error) -> Failure {
     Failure::io("cannot write to", "standard output", error)
+}
+
+/// Puts `text` at `path` in one step: a reader finds the old file or the new one, never a part. `-` is standard output.
+pub(crate) fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    if path == Path::new("-") {
+        return Stdout::plain().print(text);
+    }
+    replace(path, text).map_err(|error| Failure::io("cannot write", &path.display().to_string(), &error))
+}
+
+fn replace(path: &Path, text: &str) -> io::Result<()> {
+    // A link stays a link: what it points to is replaced.
+    let path = &path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    match fs::metadata(path) {
+        Ok(target) if target.is_dir() => return Err(ErrorKind::IsADirectory.into()),
+        Ok(target) if !target.is_file() => return fs::write(path, text),
+        Ok(target) if target.permissions().readonly() => return Err(ErrorKind::PermissionDenied.into()),
+        _ => {}
+    }
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let mut file = temporary().tempfile_in(folder.unwrap_or(Path::new(".")))?;
+    file.write_all(text.as_bytes())?;
+    file.persist(path)?;
+    Ok(())
+}
+
+/// As readable as any new file: the user's mask decides.
+#[cfg(unix)]
+fn temporary() -> tempfile::Builder<'static, 'static> {
+    use std::os::unix::fs::PermissionsExt as _;
+    let mut builder = tempfile::Builder::new();
+    builder
+        .prefix(".lexican-")
+        .permissions(fs::Permissions::from_mode(0o666));
+    builder
+}
+
+#[cfg(not(unix))]
+fn temporary() -> tempfile::Builder<'static, 'static> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".lexican-");
+    builder
 }

@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use lexican_eds::rules::{self, LevelChange, Levels};
+use lexican_eds::rules::{self, Levels};
 
+use super::levels::LevelArguments;
 use crate::{
     Verdict,
     failure::Failure,
@@ -27,9 +28,8 @@ pub(crate) struct Check {
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 
-    /// Change the level of a rule or a family to allow, note, warn or deny: EDS004=warn, INI=allow; may be repeated
-    #[arg(long = "level", value_name = "CODE=LEVEL")]
-    levels: Vec<String>,
+    #[command(flatten)]
+    levels: LevelArguments,
 }
 
 const EXAMPLES: &str = "\
@@ -40,7 +40,7 @@ Examples:
 
 impl Check {
     pub(crate) fn run(self) -> Result<Verdict, Failure> {
-        let levels = levels(&self.levels)?;
+        let levels = self.levels.levels()?;
         let mut report = Report::default();
         for path in &self.paths {
             match input::expand(path) {
@@ -64,12 +64,4 @@ fn check(input: &Input, levels: &Levels, report: &mut Report) {
         }
         Err(failure) => report.failures.push(failure),
     }
-}
-
-fn levels(changes: &[String]) -> Result<Levels, Failure> {
-    changes.iter().try_fold(Levels::default(), |levels, change| {
-        let parsed: Result<LevelChange, _> = change.parse();
-        let change = parsed.map_err(|error| Failure::new(format!("--level {change}: {error}")))?;
-        Ok(levels.with(change))
-    })
 }

@@ -2,6 +2,8 @@
 
 mod check;
 mod explain;
+mod generate;
+mod levels;
 
 use clap::Subcommand;
 
@@ -11,6 +13,7 @@ use crate::{Verdict, failure::Failure};
 pub(crate) enum Command {
     Check(check::Check),
     Explain(explain::Explain),
+    Generate(generate::Generate),
 }
 
 impl Command {
@@ -18,6 +21,7 @@ impl Command {
         match self {
             Self::Check(check) => check.run(),
             Self::Explain(explain) => explain.run(),
+            Self::Generate(generate) => generate.run(),
         }
     }
 }

@@ -2,15 +2,10 @@
 
 use std::io::{self, Write};
 
-use lexican_eds::{
-    diagnostic::{Diagnostic, Level},
-    rules,
-    source::Source,
-    span::Span,
-};
+use lexican_eds::{diagnostic::Diagnostic, rules, source::Source, span::Span};
 use serde::Serialize;
 
-use super::{Checked, Report};
+use super::{Checked, Counts, Report};
 
 const VERSION: u32 = 1;
 
@@ -60,9 +55,8 @@ struct Place {
 #[derive(Serialize)]
 struct Summary {
     files: usize,
-    deny: usize,
-    warn: usize,
-    note: usize,
+    #[serde(flatten)]
+    counts: Counts,
 }
 
 /// Writes one JSON object.
@@ -75,9 +69,7 @@ pub(super) fn write(report: &Report, out: &mut impl Write) -> io::Result<()> {
         failures: report.failures.iter().map(ToString::to_string).collect(),
         summary: Summary {
             files: report.checked.len(),
-            deny: report.count(Level::Deny),
-            warn: report.count(Level::Warn),
-            note: report.count(Level::Note),
+            counts: report.counts(),
         },
     };
     serde_json::to_writer_pretty(&mut *out, &root)?;

@@ -1,15 +1,15 @@
 //! How findings are printed: one format a file.
 
+mod counts;
 mod json;
 mod text;
 
 use std::io;
 
 use clap::ValueEnum;
-use lexican_eds::{
-    diagnostic::{Diagnostic, Level},
-    document::Document,
-};
+use lexican_eds::{diagnostic::Diagnostic, document::Document};
+
+pub(crate) use counts::Counts;
 
 use crate::{
     Verdict,
@@ -43,22 +43,15 @@ pub(crate) struct Report {
 
 impl Report {
     pub(crate) fn verdict(&self) -> Verdict {
-        match (self.failures.is_empty(), self.count(Level::Deny)) {
+        match (self.failures.is_empty(), self.counts().deny) {
             (false, _) => Verdict::Incomplete,
             (true, 0) => Verdict::Clean,
             (true, _) => Verdict::Findings,
         }
     }
 
-    /// The number of findings at `level`.
-    fn count(&self, level: Level) -> usize {
-        self.diagnostics()
-            .filter(|diagnostic| diagnostic.level == level)
-            .count()
-    }
-
-    fn diagnostics(&self) -> impl Iterator<Item = &Diagnostic> {
-        self.checked.iter().flat_map(|checked| &checked.diagnostics)
+    fn counts(&self) -> Counts {
+        self.checked.iter().flat_map(|checked| &checked.diagnostics).collect()
     }
 }
 

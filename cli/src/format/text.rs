@@ -2,10 +2,7 @@
 
 use std::io::{self, Write};
 
-use lexican_eds::{
-    diagnostic::Level,
-    render::{self, Renderer},
-};
+use lexican_eds::render::Renderer;
 
 use super::Report;
 
@@ -25,14 +22,6 @@ pub(super) fn write(report: &Report, out: &mut impl Write) -> io::Result<()> {
 
 /// `3 files checked: 1 error, 2 warnings`
 fn summary(report: &Report, files: usize) -> String {
-    let counts = [Level::Deny, Level::Warn, Level::Note].map(|level| (level, report.count(level)));
-    let found = counts.iter().filter(|(_, number)| *number > 0);
-    let found: Vec<String> = found.map(|&(level, number)| render::count(level, number)).collect();
     let plural = if files == 1 { "" } else { "s" };
-    let findings = if found.is_empty() {
-        "no findings".into()
-    } else {
-        found.join(", ")
-    };
-    format!("{files} file{plural} checked: {findings}")
+    format!("{files} file{plural} checked: {}", report.counts())
 }

@@ -11,6 +11,7 @@ fn the_help_names_each_command() {
     insta::assert_snapshot!("lexican", help(&["--help"]));
     insta::assert_snapshot!("check", help(&["check", "--help"]));
     insta::assert_snapshot!("explain", help(&["explain", "--help"]));
+    insta::assert_snapshot!("generate", help(&["generate", "--help"]));
 }
 
 #[test]

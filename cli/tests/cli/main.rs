@@ -4,5 +4,6 @@
 
 mod check;
 mod explain;
+mod generate;
 mod help;
 mod lexican;

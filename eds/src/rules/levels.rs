@@ -55,6 +55,18 @@ impl LevelChange {
         let selector = known(selector).ok_or_else(|| UnknownRule(selector.to_owned()))?;
         Ok(Self { selector, level })
     }
+
+    /// The code or the family.
+    #[must_use]
+    pub const fn selector(&self) -> &'static str {
+        self.selector
+    }
+
+    /// The new level.
+    #[must_use]
+    pub const fn level(&self) -> Level {
+        self.level
+    }
 }
 
 fn known(selector: &str) -> Option<&'static str> {
