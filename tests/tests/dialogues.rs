@@ -1,27 +1,37 @@
-//! Every telegram with SDO bytes that the encoders' manuals print, held with devices of their EDS files.
+//! Every telegram with SDO bytes that the encoders' manuals print, held with the devices that are generated from their
+//! EDS files, and with devices simulated from the same.
 
 use std::{fs, path::Path};
 
+use lexican_runtime::Device;
 use lexican_tests::{
     bus::Bus,
     dialogue::{self, Summary},
+    generated::{wdga, wv58mr},
     simulated::Simulated,
 };
 
-fn hold(name: &str) -> Summary {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let eds = fs::read(root.join(format!("../eds/devices/{name}.eds"))).expect("the device's file");
-    let device = Simulated::of(&lexican_eds::read(name, eds).dictionary);
-    let text = fs::read_to_string(root.join(format!("dialogues/{name}.txt"))).expect("its dialogues");
-    dialogue::hold(&text, |node_id| Bus::booted(device.clone(), node_id))
+fn hold<D: Device>(name: &str, device: impl Fn() -> D) -> Summary {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("dialogues/{name}.txt"));
+    let text = fs::read_to_string(file).expect("the dialogues");
+    dialogue::hold(&text, |node_id| Bus::booted(device(), node_id))
+}
+
+fn simulated(name: &str) -> Simulated {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../eds/devices/{name}.eds"));
+    Simulated::of(&lexican_eds::read(name, fs::read(file).expect("the device's file")).dictionary)
 }
 
 #[test]
 fn the_telegrams_of_the_wdga() {
-    assert_eq!(hold("wdga"), Summary { held: 27, later: 2 });
+    let all = Summary { held: 27, later: 2 };
+    assert_eq!(hold("wdga", || wdga::Device::new(())), all);
+    assert_eq!(hold("wdga", || simulated("wdga")), all);
 }
 
 #[test]
 fn the_telegrams_of_the_wv58mr() {
-    assert_eq!(hold("wv58mr"), Summary { held: 6, later: 2 });
+    let all = Summary { held: 6, later: 2 };
+    assert_eq!(hold("wv58mr", || wv58mr::Device::new(())), all);
+    assert_eq!(hold("wv58mr", || simulated("wv58mr")), all);
 }

@@ -3,14 +3,8 @@
 #[path = "../../harness.rs"]
 mod harness;
 
-mod bench_100 {
-    use lexican_runtime::{AbortCode, Address, bytemuck, od::*};
-    include!(concat!(env!("OUT_DIR"), "/bench_100.rs"));
-}
-mod bench_1000 {
-    use lexican_runtime::{AbortCode, Address, bytemuck, od::*};
-    include!(concat!(env!("OUT_DIR"), "/bench_1000.rs"));
-}
+include!(concat!(env!("OUT_DIR"), "/bench_100.rs"));
+include!(concat!(env!("OUT_DIR"), "/bench_1000.rs"));
 
 use std::hint::black_box;
 
@@ -19,9 +13,9 @@ use lexican_runtime::{Address, CanId, Device, Frame, Instant, Node, NodeId};
 fn main() {
     let (operation, large, n) = harness::arguments();
     if large {
-        run(bench_1000::Device::new(), &operation, n);
+        run(bench_1000::Device::new(()), &operation, n);
     } else {
-        run(bench_100::Device::new(), &operation, n);
+        run(bench_100::Device::new(()), &operation, n);
     }
 }
 

@@ -58,7 +58,7 @@ fn run(mut node: Node<'_>, mbox: &NodeMbox, table: &'static [ODEntry<'static>], 
             }
         }
         "harness" => harness::absent(),
-        _ => harness::exchange_all(operation, n, |frame| frame.data()[0], |id, data| {
+        _ => harness::exchange_all(operation, n, |frame: &CanMessage| frame.data()[0], |id, data| {
             mbox.store_message(CanMessage::new(CanId::std(id), &data)).unwrap();
             node.process(1);
             mbox.next_transmit_message()
