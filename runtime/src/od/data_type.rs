@@ -86,19 +86,10 @@ impl DataType {
     }
 
     /// Whether it is INTEGER8 to INTEGER64.
+    #[inline]
     #[must_use]
     pub const fn is_signed(self) -> bool {
-        matches!(
-            self,
-            Self::INTEGER8
-                | Self::INTEGER16
-                | Self::INTEGER24
-                | Self::INTEGER32
-                | Self::INTEGER40
-                | Self::INTEGER48
-                | Self::INTEGER56
-                | Self::INTEGER64
-        )
+        matches!(self.0, 0x02..=0x04 | 0x10 | 0x12..=0x15)
     }
 
     /// Whether it is REAL32 or REAL64.

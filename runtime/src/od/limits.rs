@@ -1,6 +1,6 @@
 //! Whether a number is within what its type and its object allow.
 
-use super::{read, Access, DataType, Entry, Table};
+use super::{read, Access, DataType, Device, Entry, Table};
 use crate::AbortCode;
 
 /// `bits` as wide as they get: what is beyond the type's length becomes the sign of an INTEGER, zero of any other.
@@ -18,12 +18,12 @@ pub(super) fn widen(data_type: DataType, bits: u64) -> u64 {
 
 /// Refuses a widened number that its type or its object's limits do not allow.
 #[inline]
-pub(super) fn check(table: &Table<'_>, entry: Entry, bits: u64) -> Result<(), AbortCode> {
+pub(super) fn check<D: Device>(device: &D, entry: Entry, bits: u64) -> Result<(), AbortCode> {
     if entry.data_type == DataType::BOOLEAN && bits > 1 {
         return Err(AbortCode::INVALID_VALUE);
     }
     if entry.access.has(Access::EXTRA) {
-        return within(table, entry, bits);
+        return within(&device.table(), entry, bits);
     }
     Ok(())
 }

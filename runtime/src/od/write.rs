@@ -109,7 +109,7 @@ pub(crate) fn store_number<D: Device>(
     bits: u64,
 ) -> Result<(), AbortCode> {
     let bits = limits::widen(entry.data_type, bits);
-    limits::check(&device.table(), entry, bits)?;
+    limits::check(device, entry, bits)?;
     let value = Value::Number {
         bits,
         data_type: entry.data_type,

@@ -251,11 +251,12 @@ impl Expedited {
 
 /// Multiplexer and the four bytes behind it.
 #[inline]
+#[allow(clippy::cast_possible_truncation)] // Each is a part of the eight bytes.
 fn split(bytes: [u8; 8]) -> (Address, u32) {
-    let [_, i0, i1, sub, w0, w1, w2, w3] = bytes;
+    let bits = u64::from_le_bytes(bytes);
     (
-        Address::new(u16::from_le_bytes([i0, i1]), sub),
-        u32::from_le_bytes([w0, w1, w2, w3]),
+        Address::new((bits >> 8) as u16, (bits >> 24) as u8),
+        (bits >> 32) as u32,
     )
 }
 
