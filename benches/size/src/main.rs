@@ -8,18 +8,18 @@ use core::{mem::MaybeUninit, ptr};
 use cortex_m_rt::entry;
 use lexican_runtime::{CanId, Frame, Instant, Node, NodeId};
 
-include!(concat!(env!("OUT_DIR"), "/bench_enc.rs"));
+include!(concat!(env!("OUT_DIR"), "/dictionary.rs"));
 
 /// Identifier, length, data, data; then the clock.
 const BUS: *mut u32 = 0x4000_0000 as *mut u32;
 
 /// Outside the stack, so that it is weighed.
-static mut NODE: MaybeUninit<Node<bench_enc::Device<()>>> = MaybeUninit::uninit();
+static mut NODE: MaybeUninit<Node<dictionary::Device<()>>> = MaybeUninit::uninit();
 
 #[entry]
 fn main() -> ! {
     // SAFETY: there is but one thread, and `main` runs once.
-    let node = unsafe { (*ptr::addr_of_mut!(NODE)).write(Node::new(bench_enc::Device::new(()), NodeId::new(0x10).unwrap())) };
+    let node = unsafe { (*ptr::addr_of_mut!(NODE)).write(Node::new(dictionary::Device::new(()), NodeId::new(0x10).unwrap())) };
     loop {
         let now = Instant::from_micros(u64::from(read(4)));
         if let Some(frame) = receive() {
