@@ -34,7 +34,10 @@ pub fn read(file: &str) -> Vec<Entry> {
         if let Some(header) = line.strip_prefix('[') {
             name = header.trim_end_matches(']').to_lowercase();
         } else if let Some((key, value)) = line.split_once('=') {
-            sections.entry(name.clone()).or_default().insert(key.into(), value.into());
+            sections
+                .entry(name.clone())
+                .or_default()
+                .insert(key.into(), value.into());
         }
     }
     sections.iter().filter_map(|(name, keys)| entry(name, keys)).collect()

@@ -51,5 +51,9 @@ pub fn absent() -> ! {
 /// The arguments: operation, whether the dictionary has 1000 objects, how often.
 pub fn arguments() -> (String, bool, u32) {
     let arguments: Vec<String> = std::env::args().collect();
-    (arguments[1].clone(), arguments[2] == "1000", arguments[3].parse().unwrap())
+    (
+        arguments[1].clone(),
+        arguments[2] == "1000",
+        arguments[3].parse().unwrap(),
+    )
 }

@@ -8,6 +8,10 @@ fn main() {
         let file = format!("../../../shared/bench/{name}.eds");
         println!("cargo:rerun-if-changed={file}");
         let eds = Eds::from_file(&file).unwrap_or_else(|error| panic!("{file}: {error:?}"));
-        std::fs::write(out.join(format!("{name}.rs")), generate_object_dictionary(&eds, "dictionary")).unwrap();
+        std::fs::write(
+            out.join(format!("{name}.rs")),
+            generate_object_dictionary(&eds, "dictionary"),
+        )
+        .unwrap();
     }
 }

@@ -20,23 +20,34 @@ fn is_builtin(index: u16) -> bool {
 }
 
 fn config(file: &str) -> String {
-    let mut text = "device_name = \"bench\"\nheartbeat_period = 0\n\n[identity]\nvendor_id = 0x1234\nproduct_code = 2\n\
+    let mut text =
+        "device_name = \"bench\"\nheartbeat_period = 0\n\n[identity]\nvendor_id = 0x1234\nproduct_code = 2\n\
                     revision_number = 3\n\n[pdos]\nnum_rpdo = 0\nnum_tpdo = 4\n"
-        .to_owned();
+            .to_owned();
     let mut objects: BTreeMap<u16, Vec<eds::Entry>> = BTreeMap::new();
     for entry in eds::read(file) {
         objects.entry(entry.index).or_default().push(entry);
     }
     for (index, entries) in objects.iter().filter(|(index, _)| !is_builtin(**index)) {
-        write!(text, "\n[[objects]]\nindex = {index:#06x}\nparameter_name = \"o{index:04x}\"\n").unwrap();
+        write!(
+            text,
+            "\n[[objects]]\nindex = {index:#06x}\nparameter_name = \"o{index:04x}\"\n"
+        )
+        .unwrap();
         if let [entry] = entries.as_slice() {
             write!(text, "object_type = \"var\"\n{}", value(entry)).unwrap();
             continue;
         }
         text += "object_type = \"record\"\n";
         for entry in entries.iter().filter(|entry| entry.sub != 0) {
-            write!(text, "[[objects.subs]]\nsub_index = {}\nparameter_name = \"s{}\"\n{}", entry.sub, entry.sub, value(entry))
-                .unwrap();
+            write!(
+                text,
+                "[[objects.subs]]\nsub_index = {}\nparameter_name = \"s{}\"\n{}",
+                entry.sub,
+                entry.sub,
+                value(entry)
+            )
+            .unwrap();
         }
     }
     text

@@ -12,7 +12,10 @@ mod bench_1000 {
 
 use std::hint::black_box;
 
-use canopen_rs::{Address, NodeId, ObjectDictionary, node::{Node, TxFrame}};
+use canopen_rs::{
+    Address, NodeId, ObjectDictionary,
+    node::{Node, TxFrame},
+};
 
 fn main() {
     let (operation, large, n) = harness::arguments();
@@ -33,6 +36,11 @@ fn run<const N: usize>(dictionary: ObjectDictionary<N>, operation: &str, n: u32)
             }
         }
         "harness" | "idle" => harness::absent(),
-        _ => harness::exchange_all(operation, n, |frame: &TxFrame| frame.data()[0], |id, data| node.on_frame(id, &data)),
+        _ => harness::exchange_all(
+            operation,
+            n,
+            |frame: &TxFrame| frame.data()[0],
+            |id, data| node.on_frame(id, &data),
+        ),
     }
 }

@@ -19,7 +19,8 @@ static mut NODE: MaybeUninit<Node<dictionary::Device<()>>> = MaybeUninit::uninit
 #[entry]
 fn main() -> ! {
     // SAFETY: there is but one thread, and `main` runs once.
-    let node = unsafe { (*ptr::addr_of_mut!(NODE)).write(Node::new(dictionary::Device::new(()), NodeId::new(0x10).unwrap())) };
+    let node =
+        unsafe { (*ptr::addr_of_mut!(NODE)).write(Node::new(dictionary::Device::new(()), NodeId::new(0x10).unwrap())) };
     loop {
         let now = Instant::from_micros(u64::from(read(4)));
         if let Some(frame) = receive() {

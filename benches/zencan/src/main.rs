@@ -35,10 +35,22 @@ fn main() {
     let id = NodeId::new(0x10).unwrap();
     if large {
         use bench_1000::{NODE_MBOX, NODE_STATE, OD_TABLE};
-        run(Node::new(id, Callbacks::default(), &NODE_MBOX, &NODE_STATE, &OD_TABLE), &NODE_MBOX, &OD_TABLE, &operation, n);
+        run(
+            Node::new(id, Callbacks::default(), &NODE_MBOX, &NODE_STATE, &OD_TABLE),
+            &NODE_MBOX,
+            &OD_TABLE,
+            &operation,
+            n,
+        );
     } else {
         use bench_100::{NODE_MBOX, NODE_STATE, OD_TABLE};
-        run(Node::new(id, Callbacks::default(), &NODE_MBOX, &NODE_STATE, &OD_TABLE), &NODE_MBOX, &OD_TABLE, &operation, n);
+        run(
+            Node::new(id, Callbacks::default(), &NODE_MBOX, &NODE_STATE, &OD_TABLE),
+            &NODE_MBOX,
+            &OD_TABLE,
+            &operation,
+            n,
+        );
     }
 }
 
@@ -58,10 +70,15 @@ fn run(mut node: Node<'_>, mbox: &NodeMbox, table: &'static [ODEntry<'static>], 
             }
         }
         "harness" => harness::absent(),
-        _ => harness::exchange_all(operation, n, |frame: &CanMessage| frame.data()[0], |id, data| {
-            mbox.store_message(CanMessage::new(CanId::std(id), &data)).unwrap();
-            node.process(1);
-            mbox.next_transmit_message()
-        }),
+        _ => harness::exchange_all(
+            operation,
+            n,
+            |frame: &CanMessage| frame.data()[0],
+            |id, data| {
+                mbox.store_message(CanMessage::new(CanId::std(id), &data)).unwrap();
+                node.process(1);
+                mbox.next_transmit_message()
+            },
+        ),
     }
 }
