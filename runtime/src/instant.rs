@@ -28,6 +28,13 @@ impl Instant {
         self.0
     }
 
+    /// The point `micros` µs later.
+    #[inline]
+    #[must_use]
+    pub const fn plus_micros(self, micros: u64) -> Self {
+        Self(self.0.saturating_add(micros))
+    }
+
     /// The point `millis` ms later.
     #[inline]
     #[must_use]

@@ -6,11 +6,12 @@
 //!
 //! * [`wire`]: bytes ↔ meaning, one message family a file, no state.
 //! * [`od`]: the object dictionary: a table in flash, values in one struct, access with the abort codes of CiA 301.
-//! * one service a file or folder: [`sdo`], [`nmt`], [`heartbeat`].
+//! * one service a file or folder: [`sdo`], [`nmt`], [`heartbeat`], [`emcy`].
 //! * [`Node`]: ties the services together: [`Node::receive`], [`Node::poll`], [`Node::poll_at`].
 
 #![no_std]
 
+pub mod emcy;
 pub mod heartbeat;
 pub mod nmt;
 pub mod od;
@@ -31,6 +32,7 @@ pub use node::Node;
 pub use node_id::NodeId;
 pub use od::{Device, Reset};
 pub use wire::{
+    emcy::Emergency,
     nmt::{NmtCommand, NmtState},
     CanId, Frame,
 };

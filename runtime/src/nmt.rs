@@ -40,6 +40,12 @@ impl Slave {
         matches!(self.state, NmtState::Operational | NmtState::PreOperational)
     }
 
+    /// Whether emergency messages are sent: as SDOs, not in INITIALISING and STOPPED (CiA 301, 7.3.2.2).
+    #[must_use]
+    pub const fn sends_emcy(&self) -> bool {
+        self.serves_sdo()
+    }
+
     /// Takes a command; tells what there is to reset. In INITIALISING only a reset is obeyed.
     pub fn obey(&mut self, command: NmtCommand) -> Option<Reset> {
         match command {

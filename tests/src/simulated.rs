@@ -21,6 +21,38 @@ pub struct Object {
     pub capacity: usize,
 }
 
+impl Object {
+    /// A number of 1, 2, 4 or 8 bytes without limits, unsigned, which a client may read and write.
+    ///
+    /// # Panics
+    /// When it has another length.
+    #[must_use]
+    pub fn number(index: u16, sub: u8, length: usize, default: u64) -> Self {
+        let data_type = match length {
+            1 => DataType::UNSIGNED8,
+            2 => DataType::UNSIGNED16,
+            4 => DataType::UNSIGNED32,
+            8 => DataType::UNSIGNED64,
+            _ => panic!("no number has {length} bytes"),
+        };
+        Self {
+            address: Address::new(index, sub),
+            data_type,
+            access: Access::READ.with(Access::WRITE),
+            default: default.to_le_bytes()[..length].to_vec(),
+            limits: None,
+            capacity: 0,
+        }
+    }
+
+    /// The same with `access` added.
+    #[must_use]
+    pub fn with(mut self, access: Access) -> Self {
+        self.access = self.access.with(access);
+        self
+    }
+}
+
 /// How many bytes a string of an EDS may have at least; an EDS does not say.
 const CAPACITY: usize = 64;
 

@@ -1,18 +1,22 @@
 //! The node: ties the services to one bus.
 
 mod dispatch;
+mod effects;
 mod pending;
 
 use dispatch::Service;
+use effects::Effects;
 use pending::Pending;
 
 use crate::{
+    emcy,
     heartbeat::{self, PRODUCER_HEARTBEAT_TIME},
     nmt,
-    od::{self, Device, Reset, Services, Value},
+    od::{self, Device, Reset, Value},
     sdo,
     wire::{
         self,
+        emcy::Emergency,
         nmt::{NmtCommand, NmtState},
         CanId, Frame,
     },
@@ -29,6 +33,7 @@ pub struct Node<D: Device> {
     device: D,
     id: NodeId,
     nmt: nmt::Slave,
+    emcy: emcy::Producer,
     heartbeat: heartbeat::Producer,
     sdo: sdo::Server<D::Buffer>,
     /// The SDO server's response, while [`Pending::SDO`].
@@ -49,6 +54,7 @@ impl<D: Device> Node<D> {
             device,
             id: node_id,
             nmt: nmt::Slave::new(),
+            emcy: emcy::Producer::new(),
             heartbeat: heartbeat::Producer::new(),
             sdo: sdo::Server::new(buffer),
             response: [0; 8],
@@ -139,16 +145,41 @@ impl<D: Device> Node<D> {
     /// # Errors
     /// As [`od::write()`].
     pub fn write(&mut self, address: Address, data: &[u8]) -> Result<(), AbortCode> {
-        od::write(&mut self.device, &mut Effects(&mut self.pending), address, data)
+        let mut effects = Effects {
+            pending: &mut self.pending,
+        };
+        od::write(&mut self.device, &mut effects, address, data)
+    }
+
+    /// Reports an error: in the error register (1001h), the history (1003h) and an emergency message, each as far as the
+    /// dictionary has it. The message waits while the node is not PRE-OPERATIONAL or OPERATIONAL.
+    ///
+    /// `false`, and nothing has happened, when the error stands already, so that it may be raised again and again while its
+    /// cause is there; when [`emcy::STANDING`] others stand; or when its code is 0000h. A reset forgets all errors.
+    pub fn raise_emergency(&mut self, emergency: Emergency) -> bool {
+        let raised = self.emcy.raise(&mut self.device, emergency);
+        self.tell_emergencies();
+        raised
+    }
+
+    /// Reports that the error `code` is gone: an emergency message with error code 0000h says what is left in the error
+    /// register. `false` when the error did not stand.
+    pub fn clear_emergency(&mut self, code: u16) -> bool {
+        let cleared = self.emcy.clear(&mut self.device, code);
+        self.tell_emergencies();
+        cleared
     }
 
     /// Obeys an NMT command as if it came from the master.
     pub fn obey(&mut self, command: NmtCommand) {
         if let Some(reset) = self.nmt.obey(command) {
             self.reset(reset);
-        } else if !self.nmt.serves_sdo() {
+            return;
+        }
+        if !self.nmt.serves_sdo() {
             self.end_transfer();
         }
+        self.tell_emergencies();
     }
 
     #[inline]
@@ -158,12 +189,14 @@ impl<D: Device> Node<D> {
         }
         // A request makes the answer to the one before it stale.
         self.pending.remove(Pending::SDO);
-        let mut effects = Effects(&mut self.pending);
+        let mut effects = Effects {
+            pending: &mut self.pending,
+        };
         if let Some(response) = self.sdo.receive(now, &mut self.device, &mut effects, request) {
             self.response = response;
             self.pending.add(Pending::SDO);
         }
-        self.due = self.sdo.due().min(self.heartbeat.due());
+        self.schedule();
     }
 
     fn receive_nmt(&mut self, frame: &Frame) {
@@ -178,6 +211,7 @@ impl<D: Device> Node<D> {
         od::restore(&mut self.device, reset, self.id);
         self.device.after_reset(reset);
         self.end_transfer();
+        self.emcy.reset(&mut self.device);
         self.heartbeat = heartbeat::Producer::new();
         self.due = Instant::NEVER;
         self.pending = Pending::BOOT_UP;
@@ -186,6 +220,15 @@ impl<D: Device> Node<D> {
     fn end_transfer(&mut self) {
         self.sdo.reset();
         self.pending.remove(Pending::SDO);
+    }
+
+    /// Lets the emergency messages out when the NMT state allows them (CiA 301, 7.3.2.2), else keeps them.
+    fn tell_emergencies(&mut self) {
+        if self.emcy.has_message() && self.nmt.sends_emcy() {
+            self.pending.add(Pending::EMCY);
+        } else {
+            self.pending.remove(Pending::EMCY);
+        }
     }
 
     /// What [`Node::poll`] does when there is something to do. The frames come in the order of their CAN-IDs, as the bus
@@ -199,6 +242,11 @@ impl<D: Device> Node<D> {
         }
         if now >= self.due {
             self.expire(now);
+        }
+        if self.pending.take(Pending::EMCY) {
+            if let Some(frame) = self.send_emergency(now) {
+                return Some(frame);
+            }
         }
         if self.pending.take(Pending::SDO) {
             return Some(Frame::full(CanId::sdo_response(self.id), self.response));
@@ -216,7 +264,18 @@ impl<D: Device> Node<D> {
         self.nmt.booted();
         let period = self.heartbeat_time();
         self.heartbeat.start(now, period);
-        self.due = self.heartbeat.due();
+        self.tell_emergencies();
+        self.schedule();
+        frame
+    }
+
+    /// The next emergency message, unless the inhibit time holds it back.
+    fn send_emergency(&mut self, now: Instant) -> Option<Frame> {
+        let frame = self.emcy.send(now, &self.device);
+        if frame.is_some() {
+            self.tell_emergencies();
+        }
+        self.schedule();
         frame
     }
 
@@ -224,7 +283,7 @@ impl<D: Device> Node<D> {
     fn configure(&mut self, now: Instant) {
         let period = self.heartbeat_time();
         self.heartbeat.configure(now, period);
-        self.due = self.sdo.due().min(self.heartbeat.due());
+        self.schedule();
     }
 
     /// 1017h in ms; 0, no heartbeat, for a device without it.
@@ -244,15 +303,16 @@ impl<D: Device> Node<D> {
             self.heartbeat.sent(now);
             self.pending.add(Pending::HEARTBEAT);
         }
-        self.due = self.sdo.due().min(self.heartbeat.due());
+        if now >= self.emcy.due() {
+            self.emcy.wake();
+            self.tell_emergencies();
+        }
+        self.schedule();
     }
-}
 
-/// What a write to an object of the services brings about.
-struct Effects<'a>(&'a mut Pending);
-
-impl Services for Effects<'_> {
-    fn after_write(&mut self, _: Address) {
-        self.0.add(Pending::CONFIGURATION);
+    /// Finds the first timer to run out.
+    #[inline]
+    fn schedule(&mut self) {
+        self.due = self.sdo.due().min(self.heartbeat.due()).min(self.emcy.due());
     }
 }

@@ -2,18 +2,20 @@
 
 /// Services with a frame to send, a set of bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Pending(u8);
+pub(super) struct Pending(u16);
 
 impl Pending {
-    pub(super) const NOTHING: Self = Self(0x00);
+    pub(super) const NOTHING: Self = Self(0x0000);
     /// The boot-up message, before all others.
-    pub(super) const BOOT_UP: Self = Self(0x01);
+    pub(super) const BOOT_UP: Self = Self(0x0001);
     /// No frame: objects of the services may have changed, and are to be looked at.
-    pub(super) const CONFIGURATION: Self = Self(0x02);
+    pub(super) const CONFIGURATION: Self = Self(0x0002);
+    /// Emergency messages.
+    pub(super) const EMCY: Self = Self(0x0004);
     /// The SDO server's response.
-    pub(super) const SDO: Self = Self(0x04);
+    pub(super) const SDO: Self = Self(0x0008);
     /// A heartbeat.
-    pub(super) const HEARTBEAT: Self = Self(0x08);
+    pub(super) const HEARTBEAT: Self = Self(0x0010);
 
     #[inline]
     pub(super) fn add(&mut self, other: Self) {

@@ -17,8 +17,8 @@ pub trait Services {
     }
 
     /// The value at `address` was stored.
-    fn after_write(&mut self, address: Address) {
-        let _ = address;
+    fn after_write<D: Device>(&mut self, device: &mut D, address: Address) {
+        let _ = (device, address);
     }
 }
 

@@ -116,7 +116,7 @@ pub(crate) fn store_number<D: Device>(
     };
     ask(device, services, entry, value)?;
     put(device, entry, bits).ok_or(AbortCode::INTERNAL_INCOMPATIBILITY)?;
-    tell(services, entry);
+    tell(device, services, entry);
     Ok(())
 }
 
@@ -128,7 +128,7 @@ fn store_string<D: Device>(
 ) -> Result<(), AbortCode> {
     ask(device, services, entry, Value::Bytes(data))?;
     put_string(device, entry, data).ok_or(AbortCode::INTERNAL_INCOMPATIBILITY)?;
-    tell(services, entry);
+    tell(device, services, entry);
     Ok(())
 }
 
@@ -166,9 +166,9 @@ fn ask<D: Device>(
 
 /// Tells the services that the value is stored.
 #[inline]
-fn tell(services: &mut impl Services, entry: Entry) {
+fn tell<D: Device>(device: &mut D, services: &mut impl Services, entry: Entry) {
     if is_communication(entry) {
-        services.after_write(entry.address());
+        services.after_write(device, entry.address());
     }
 }
 

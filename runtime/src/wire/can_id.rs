@@ -67,6 +67,16 @@ impl CanId {
         self.0 & EXTENDED != 0
     }
 
+    /// Whether CiA 301 (table 40) keeps it for a service whose identifier cannot be configured: NMT, SDO, error control,
+    /// LSS, and what is reserved beside them.
+    #[must_use]
+    pub const fn is_restricted(self) -> bool {
+        matches!(
+            self.0,
+            0x000..=0x07F | 0x101..=0x180 | 0x581..=0x5FF | 0x601..=0x67F | 0x6E0..=0x6FF | 0x701..=0x7FF
+        )
+    }
+
     /// Number and length in one word.
     #[inline]
     pub(super) const fn bits(self) -> u32 {

@@ -8,12 +8,15 @@
 //!   as they stand in it: whoever makes the message fills them, with 0.
 //! * What `emit` made, `parse` gives back.
 
+pub mod emcy;
 pub mod heartbeat;
 pub mod nmt;
 pub mod sdo;
 
 mod can_id;
+mod cob_id;
 mod frame;
 
 pub use can_id::CanId;
+pub use cob_id::CobId;
 pub use frame::Frame;

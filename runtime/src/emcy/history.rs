@@ -1,0 +1,49 @@
+//! 1003h, the pre-defined error field (CiA 301, 7.5.2.3): the newest error in sub-index 1, their number in sub-index 0.
+
+use crate::{
+    od::{self, Device},
+    wire::emcy::Emergency,
+    Address,
+};
+
+/// 1003h:00: number of errors, UNSIGNED8; a client empties the history by writing 0.
+pub(super) const COUNT: Address = at(0);
+
+const fn at(sub: u8) -> Address {
+    Address::new(0x1003, sub)
+}
+
+/// Puts an error on top; the oldest falls out when there is no room.
+pub(super) fn push<D: Device>(device: &mut D, emergency: Emergency) {
+    let room = room(device);
+    for sub in (2..=room).rev() {
+        let newer = od::number(device, at(sub - 1)).unwrap_or(0);
+        set(device, sub, newer);
+    }
+    let [information, more, ..] = emergency.manufacturer;
+    let information = u64::from(u16::from_le_bytes([information, more]));
+    set(device, 1, information << 16 | u64::from(emergency.code));
+    let count = od::number(device, COUNT).and_then(|count| u8::try_from(count).ok());
+    let count = count.unwrap_or(0).saturating_add(1).min(room);
+    // A device without 1003h keeps no history.
+    let _ = od::set(device, COUNT, &[count]);
+}
+
+/// Leaves no error behind.
+pub(super) fn clear<D: Device>(device: &mut D) {
+    for sub in 1..=room(device) {
+        set(device, sub, 0);
+    }
+}
+
+/// How many errors it holds: as many sub-indices as follow one another.
+fn room<D: Device>(device: &D) -> u8 {
+    let table = device.table();
+    let missing = (1..=254).find(|&sub| table.find(at(sub)).is_none());
+    missing.map_or(254, |sub| sub - 1)
+}
+
+fn set<D: Device>(device: &mut D, sub: u8, value: u64) {
+    let [b0, b1, b2, b3, ..] = value.to_le_bytes();
+    let _ = od::set(device, at(sub), &[b0, b1, b2, b3]);
+}

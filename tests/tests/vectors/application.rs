@@ -1,0 +1,59 @@
+//! What the application does in the vectors that depend on it: the calls of the tests that they were recorded from.
+
+use lexican_runtime::{Address, Emergency, od};
+use lexican_tests::{bus::Bus, simulated::Simulated};
+
+/// One call.
+enum Act {
+    /// An error code occurs, with this bit of the error register.
+    Raise(u16, u8),
+    /// The same with bytes of the manufacturer.
+    RaiseWith(u16, u8, [u8; 5]),
+    /// An error code is gone.
+    Clear(u16),
+    /// The application sets an object of its dictionary, whatever a client may do.
+    Set(u16, &'static [u8]),
+}
+
+use Act::{Clear, Raise, RaiseWith, Set};
+
+/// Does what the application does in the exchange `number` of the vector `name`, between request and responses.
+pub(crate) fn act(bus: &mut Bus<Simulated>, name: &str, number: usize) {
+    for act in acts(name, number) {
+        match *act {
+            Raise(code, register) => {
+                bus.node().raise_emergency(Emergency::new(code, register));
+            }
+            RaiseWith(code, register, bytes) => {
+                bus.node().raise_emergency(Emergency::new(code, register).with(bytes));
+            }
+            Clear(code) => {
+                bus.node().clear_emergency(code);
+            }
+            Set(index, bytes) => {
+                od::set(bus.node().device_mut(), Address::new(index, 0), bytes).expect("such an object");
+            }
+        }
+        bus.advance(0);
+    }
+}
+
+fn acts(name: &str, number: usize) -> &'static [Act] {
+    match (name, number) {
+        // Its 1014h is written by the test, without the node-ID.
+        ("TS_Emcy_TxUserData", 0) => &[
+            Set(0x1014, &[0x81, 0, 0, 0]),
+            RaiseWith(0x2000, 0x02, [0x11, 0x12, 0x13, 0x14, 0x15]),
+        ],
+        ("TS_Emcy_TxChangedId", 0) => &[Set(0x1014, &[0x01, 0x01, 0, 0]), Raise(0x2000, 0x02)],
+        ("TS_Emcy_ErrRegOnSetRepeat", 0) => &[Raise(0x2000, 0x02), Raise(0x2000, 0x02), Raise(0x3000, 0x04)],
+        ("TS_Emcy_HistNumOnSetRepeat" | "TS_Emcy_HistObjOnSetRepeat", 0) => &[Raise(0x2000, 0x02), Raise(0x2000, 0x02)],
+        ("TS_Emcy_HistNumOnSetMulti" | "TS_Emcy_HistClearOk", 0) => &[Raise(0x2000, 0x02), Raise(0x3000, 0x04)],
+        ("TS_Emcy_HistNumOnClr", 0) => &[Raise(0x2000, 0x02), Raise(0x3000, 0x04), Clear(0x3000)],
+        ("TS_Emcy_TxOnClr", 0) => &[Raise(0x2000, 0x02), Clear(0x2000)],
+        ("TS_Emcy_ErrRegOnReset", 0) => &[Raise(0x2000, 0x02), Raise(0x3000, 0x04), Clear(0x2000), Clear(0x3000)],
+        ("TS_Emcy_TxOnReset", 0) => &[Raise(0x2000, 0x02), Raise(0x4000, 0x08), Clear(0x2000), Clear(0x4000)],
+        (emcy, 0) if emcy.starts_with("TS_Emcy_") => &[Raise(0x2000, 0x02)],
+        _ => &[],
+    }
+}
