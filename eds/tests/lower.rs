@@ -232,6 +232,16 @@ fn sub_objects_without_an_object_are_kept_as_a_record_and_told() {
 }
 
 #[test]
+fn lists_without_an_object_make_none_and_are_told() {
+    let (dictionary, problems) = lower_unlisted("[2000Name]\nNrOfEntries=1\n1=x\n");
+    assert!(dictionary.objects.is_empty());
+    assert!(matches!(
+        problems.as_slice(),
+        [Problem::OrphanedSubs { index: 0x2000, .. }]
+    ));
+}
+
+#[test]
 fn an_object_knows_its_list_and_the_lists_are_held_against_the_sections() {
     let text = format!(
         "[MandatoryObjects]\nSupportedObjects=2\n1=0x1000\n2=0x1001\n[OptionalObjects]\nSupportedObjects=1\n1=0x1000\n\
@@ -379,7 +389,8 @@ fn device_file_and_commissioning_are_carried_over() {
     let (dictionary, _) = lower(
         "[FileInfo]\nFileName=a.eds\nFileVersion=3\n[DeviceInfo]\nVendorName=V\nVendorNumber=1\nBaudRate_500=1\n\
          BaudRate_10=1\nBaudRate_20=0\nNrOfRXPDO=4\nLSS_Supported=1\n[DummyUsage]\nDummy0005=1\nDummy0003=1\nDummy0007=0\n\
-         [DeviceComissioning]\nNodeID=5\nBaudrate=250\n[2000ObjectLinks]\nObjectLinks=1\n1=0x1000\n",
+         [DeviceComissioning]\nNodeID=5\nBaudrate=250\n[2000]\nParameterName=v\nDataType=5\n\
+         AccessType=ro\n[2000ObjectLinks]\nObjectLinks=1\n1=0x1000\n",
     );
     assert_eq!(
         (dictionary.file.file_name.as_str(), dictionary.file.file_version),

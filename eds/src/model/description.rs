@@ -34,6 +34,7 @@ pub struct Description {
     pub compact_sub_obj: Option<Spanned<u16>>,
     /// What a DCF adds.
     pub configuration: Option<Box<Configuration>>,
+    value_type: Option<u16>,
     mentioned: u8,
 }
 
@@ -59,6 +60,13 @@ impl Description {
     #[must_use]
     pub const fn mentions(&self, keyword: Keyword) -> bool {
         self.mentioned & bit(keyword) != 0
+    }
+
+    /// The index of the type that the section's values are of: DataType; without it DOMAIN for a DOMAIN, UNSIGNED8 for
+    /// sub-index 0 (CiA 301, 7.4.3), the object's type for another sub-index.
+    #[must_use]
+    pub const fn value_type(&self) -> Option<u16> {
+        self.value_type
     }
 
     /// ParameterValue of a DCF.
@@ -146,7 +154,8 @@ impl Description {
     }
 
     fn read_values(&mut self, fields: &mut Fields<'_>, typed: &Typed<'_>, fallback: Option<u16>) {
-        let data_type = self.value_type().or(fallback);
+        self.value_type = self.stated_type().or(fallback);
+        let data_type = self.value_type;
         self.default_value = typed.default_value.and_then(|entry| fields.value(entry, data_type));
         self.low_limit = typed.low_limit.and_then(|entry| fields.limit(entry, data_type));
         self.high_limit = typed.high_limit.and_then(|entry| fields.limit(entry, data_type));
@@ -157,7 +166,7 @@ impl Description {
     }
 
     /// DataType; an object that is a DOMAIN may leave it out (CiA 306-1, table 7).
-    fn value_type(&self) -> Option<u16> {
+    fn stated_type(&self) -> Option<u16> {
         let is_domain = self.object_type.is_some_and(|code| code.value == ObjectCode::Domain);
         let domain = is_domain.then(|| DataType::Domain.index());
         self.data_type.map(|data_type| data_type.value).or(domain)

@@ -93,10 +93,8 @@ impl Object {
                 return None;
             };
             let sub = u8::try_from(number).unwrap_or(u8::MAX);
-            let described = self.sub(sub).and_then(|sub| sub.description.data_type);
-            let data_type = described
-                .map(|data_type| data_type.value)
-                .or_else(|| self.sub_type(sub));
+            let described = self.sub(sub).map(|sub| sub.description.value_type());
+            let data_type = described.unwrap_or_else(|| self.sub_type(sub));
             fields.value(entry, data_type)
         })
     }

@@ -14,7 +14,7 @@ pub(super) fn lower(
     lowering: &mut Lowering,
 ) -> Entry {
     require_name(address, description, lowering);
-    let data_type = data_type(address, description, object, lowering);
+    let data_type = data_type(address, description, lowering);
     let access = access(address, description, object, lowering);
     let configuration = description.configuration.as_deref();
     let configured = description.parameter_value();
@@ -123,34 +123,19 @@ fn is_domain(description: &Description) -> bool {
         .is_some_and(|code| code.value == ObjectCode::Domain)
 }
 
-fn data_type(
-    address: Address,
-    description: &Description,
-    object: Option<&Description>,
-    lowering: &mut Lowering,
-) -> Spanned<DataType> {
-    let optional = is_domain(description);
-    if !optional && !description.mentions(Keyword::DataType) {
+fn data_type(address: Address, description: &Description, lowering: &mut Lowering) -> Spanned<DataType> {
+    if !is_domain(description) && !description.mentions(Keyword::DataType) {
         lowering.report(missing(Keyword::DataType, address, description));
     }
-    let of_object = || object.filter(|_| address.sub != 0)?.data_type;
-    let Some(index) = description.data_type.or_else(of_object) else {
-        let assumed = match object {
-            Some(_) if address.sub == 0 => DataType::Unsigned8,
-            _ => DataType::Domain,
-        };
-        return Spanned::new(assumed, description.header);
+    let at = span(description.data_type.as_ref(), description.header);
+    let Some(data_type) = description.value_type() else {
+        return Spanned::new(DataType::Domain, at);
     };
-    index.map(|data_type| {
-        DataType::from_index(data_type).unwrap_or_else(|| {
-            lowering.report(Problem::UnknownDataType {
-                address,
-                data_type,
-                at: index.span,
-            });
-            DataType::Domain
-        })
-    })
+    let known = DataType::from_index(data_type).unwrap_or_else(|| {
+        lowering.report(Problem::UnknownDataType { address, data_type, at });
+        DataType::Domain
+    });
+    Spanned::new(known, at)
 }
 
 fn access(

@@ -35,7 +35,7 @@ impl Dictionary {
     pub fn lower(eds: &Eds) -> (Self, Vec<Problem>) {
         let mut lowering = Lowering::new();
         let lower = |object| object::lower(object, &mut lowering);
-        let mut objects: Vec<_> = eds.objects.iter().map(lower).collect();
+        let mut objects: Vec<_> = eds.objects.iter().filter_map(lower).collect();
         compact_pdo::add(eds, &mut objects);
         module::compose(eds, &mut objects, &mut lowering);
         objects.sort_by_key(|object| object.index);

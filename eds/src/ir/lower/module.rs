@@ -84,7 +84,9 @@ impl<'a> Composition<'a> {
         for fixed in &module.fixed {
             if !self.places.contains_key(&fixed.index) {
                 let object = object::lower(fixed, self.lowering);
-                self.push(object);
+                if let Some(object) = object {
+                    self.push(object);
+                }
             }
         }
         for listed in module.fixed_objects.iter().flat_map(List::values) {
@@ -145,7 +147,8 @@ impl<'a> Composition<'a> {
         let entry = sub_object(address, extension, self.lowering);
         if let Some(object) = self.object_at(address.index) {
             object.entries.push(entry);
-            if let Some(sub_zero) = object.entries.first_mut() {
+            let sub_zero = object.entries.first_mut();
+            if let Some(sub_zero) = sub_zero.filter(|entry| entry.data_type.is_unsigned()) {
                 sub_zero.default = Some(Value::Unsigned(address.sub.into()));
             }
         }
@@ -184,7 +187,10 @@ impl<'a> Composition<'a> {
         let object = self
             .object_at(index)
             .filter(|object| object::is_structured(object.code))?;
-        Some(object.entries.last().map_or(0, |last| last.address.sub))
+        if object.entries.is_empty() {
+            object.entries.push(entry::sub_zero(index, 0, object.span));
+        }
+        object.entries.last().map(|last| last.address.sub)
     }
 
     fn object_at(&mut self, index: u16) -> Option<&mut Object> {

@@ -5,10 +5,11 @@ use crate::document::Keyword;
 use crate::ir::{Address, Entry, Object, ObjectCode};
 use crate::model::{self, Description};
 
-/// Lowers an object; its list is not known here.
-pub(super) fn lower(object: &model::Object, lowering: &mut Lowering) -> Object {
+/// Lowers an object; its list is not known here. `None` if no section says that there is one.
+pub(super) fn lower(object: &model::Object, lowering: &mut Lowering) -> Option<Object> {
     let code = code(object, lowering);
-    Object {
+    let is_there = object.description.is_some() || !object.subs.is_empty();
+    is_there.then(|| Object {
         index: object.index,
         name: object
             .description
@@ -25,7 +26,7 @@ pub(super) fn lower(object: &model::Object, lowering: &mut Lowering) -> Object {
             .map(|link| link.value)
             .collect(),
         span: object.header(),
-    }
+    })
 }
 
 /// Whether an object of `code` has its values at sub-indices.

@@ -63,7 +63,7 @@ pub enum Problem {
         /// The header of its section.
         at: Span,
     },
-    /// Sections of an object that has no section itself. It is taken for a RECORD.
+    /// Sections of an object that has no section itself. It is taken for a RECORD if it has sub-objects, else left out.
     OrphanedSubs {
         /// The object.
         index: u16,
