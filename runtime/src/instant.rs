@@ -10,16 +10,20 @@ impl Instant {
     /// Where a timer points that does not run: later than any clock gets.
     pub const NEVER: Self = Self(u64::MAX);
 
-    /// `micros` µs after the clock's start.
+    /// `micros` µs after the clock's start; the very last of them counts as the one before it, so that no clock reaches
+    /// [`Instant::NEVER`].
     #[must_use]
     pub const fn from_micros(micros: u64) -> Self {
-        Self(micros)
+        match micros {
+            u64::MAX => Self(u64::MAX - 1),
+            micros => Self(micros),
+        }
     }
 
     /// `millis` ms after the clock's start.
     #[must_use]
     pub const fn from_millis(millis: u64) -> Self {
-        Self(millis.saturating_mul(1000))
+        Self::from_micros(millis.saturating_mul(1000))
     }
 
     /// Microseconds since the clock's start.

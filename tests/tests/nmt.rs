@@ -227,3 +227,12 @@ fn a_late_poll_neither_drops_the_beat_nor_sends_it_twice() {
 fn an_idle_node_asks_for_no_poll() {
     assert_eq!(bus().node().poll_at(), None);
 }
+
+#[test]
+fn at_the_end_of_time_a_timer_that_does_not_run_is_still_not_due() {
+    let end = Instant::from_micros(u64::MAX);
+    let mut node = Node::new(quiet(), NodeId::new(1).unwrap());
+    assert!(node.poll(end).is_some(), "boot-up");
+    assert_eq!(node.poll(end), None);
+    assert_eq!(node.poll(Instant::from_millis(u64::MAX)), None);
+}
