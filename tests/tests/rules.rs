@@ -111,3 +111,21 @@ fn findings_come_in_the_order_of_the_file_and_then_of_the_codes() {
     assert!(order.is_sorted(), "{order:?}");
     assert!(order.len() > 5, "{order:?}");
 }
+
+#[test]
+fn what_stands_for_too_much_is_one_finding_an_object() {
+    let connected: Vec<String> = (1..=200).map(|place| format!("{place}=1\n")).collect();
+    let module = "[M1SubExt2000]\nParameterName=Channel\nDataType=0x0005\nAccessType=ro\nCount=200\nObjExtend=254\n";
+    let object = |index| format!("[{index:04X}]\nObjectType=0x8\nDataType=0x0005\nAccessType=ro\nCompactSubObj=254\n");
+    let objects: Vec<String> = (0x3000..0x3800).map(object).collect();
+    let text = format!("[ConnectedModules]\n{}{module}{}", connected.concat(), objects.concat());
+    let reading = lexican_eds::read("x.dcf", text.into());
+    let found = check(&reading);
+    let crowded: Vec<_> = found
+        .iter()
+        .filter(|diagnostic| diagnostic.code.as_str() == "EDS030")
+        .collect();
+    assert!(!crowded.is_empty());
+    let places: BTreeSet<_> = crowded.iter().map(|diagnostic| diagnostic.span.start).collect();
+    assert_eq!(places.len(), crowded.len(), "{crowded:#?}");
+}

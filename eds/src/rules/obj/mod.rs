@@ -1,5 +1,6 @@
 //! The objects: types, access, limits, values.
 
+mod abbreviated_access_type;
 mod default_beyond_limits;
 mod domain_value;
 mod empty_structure;
@@ -10,6 +11,7 @@ mod letter_case;
 mod limit_of_wrong_type;
 mod misplaced_attribute;
 mod missing_sub_index_zero;
+mod named_number;
 mod node_id_spelling;
 mod octal_value;
 mod real_as_bits;
@@ -24,6 +26,7 @@ mod value_of_wrong_type;
 mod wide_hex;
 mod words;
 
+pub(super) use abbreviated_access_type::AbbreviatedAccessType;
 pub(super) use default_beyond_limits::DefaultBeyondLimits;
 pub(super) use domain_value::DomainValue;
 pub(super) use empty_structure::EmptyStructure;
@@ -34,6 +37,7 @@ pub(super) use letter_case::LetterCase;
 pub(super) use limit_of_wrong_type::LimitOfWrongType;
 pub(super) use misplaced_attribute::MisplacedAttribute;
 pub(super) use missing_sub_index_zero::MissingSubIndexZero;
+pub(super) use named_number::NamedNumber;
 pub(super) use node_id_spelling::NodeIdSpelling;
 pub(super) use octal_value::OctalValue;
 pub(super) use real_as_bits::RealAsBits;

@@ -9,10 +9,11 @@ use crate::{
 
 declare_rule! {
     /// ## What it does
-    /// Finds more connected modules than fit: object 1027h lists 254 of them, an object has 254 sub-indices for what they add.
+    /// Finds modules and compact forms that stand for more than fits: object 1027h lists 254 modules, an object has 254
+    /// sub-indices for what they add, and beyond 500,000 values without a section of their own a file is taken for broken.
     ///
     /// ## Why it matters
-    /// The objects of the modules beyond that are not in the dictionary.
+    /// What is beyond that is not in the dictionary.
     ///
     /// ## Example
     /// ```ini
@@ -22,10 +23,10 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, modular devices; CiA 301, object 1027h
-    pub(crate) CrowdedModules { code: "EDS030", level: Level::Deny, since: "0.1.0" }
+    pub(crate) CrowdedDictionary { code: "EDS030", level: Level::Deny, since: "0.1.0" }
 }
 
-impl ReadingRule for CrowdedModules {
+impl ReadingRule for CrowdedDictionary {
     fn check(reading: &Reading, report: &mut Report) {
         let mut full = HashSet::new();
         for problem in &reading.problems {
@@ -40,6 +41,14 @@ impl ReadingRule for CrowdedModules {
                     report
                         .at(at, format!("the connected modules do not fit into object {index:04X}h"))
                         .help("connect fewer modules, or let ObjExtend go on in the next object");
+                }
+                Problem::TooManyValues { index, at } if full.insert(index) => {
+                    report
+                        .at(
+                            at,
+                            format!("the values of {index:04X}h are left out: the file stands for too many"),
+                        )
+                        .help("look for a count that is too large, here or above");
                 }
                 _ => {}
             }

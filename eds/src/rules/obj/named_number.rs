@@ -1,0 +1,51 @@
+use crate::{
+    diagnostic::Level,
+    ir::{DataType, ObjectCode},
+    literal::Note,
+    model::{Eds, Expected},
+    rules::{ModelRule, Report, Unusual, declare_rule, unusual},
+};
+
+declare_rule! {
+    /// ## What it does
+    /// Finds an ObjectType or DataType that is the name of the type in place of its number.
+    ///
+    /// ## Why it matters
+    /// The standard knows numbers alone, and so do most readers.
+    ///
+    /// ## Example
+    /// ```ini
+    /// [1017]
+    /// ObjectType=VAR
+    /// DataType=UNSIGNED16
+    /// ```
+    ///
+    /// Use instead:
+    /// ```ini
+    /// [1017]
+    /// ObjectType=0x7
+    /// DataType=0x0006
+    /// ```
+    ///
+    /// ## Reference
+    /// CiA 306-1, ObjectType and DataType; CiA 301, object codes and data types
+    pub(crate) NamedNumber { code: "OBJ023", level: Level::Warn, since: "0.1.0" }
+}
+
+impl ModelRule for NamedNumber {
+    fn check(eds: &Eds, report: &mut Report) {
+        for Unusual { keyword, expected, at } in unusual(eds, Note::Name) {
+            let (value, number) = (report.quote(at), number(report.text(at), expected));
+            report
+                .at(at, format!("{keyword} {value} is a name, where a number belongs"))
+                .help(format!("write {}", number.as_deref().unwrap_or("its number")));
+        }
+    }
+}
+
+fn number(name: &str, expected: Expected) -> Option<String> {
+    match expected {
+        Expected::ObjectCode => ObjectCode::from_name(name).map(|code| format!("`0x{:X}`", code.number())),
+        _ => DataType::from_name(name).map(|data_type| format!("`0x{:04X}`", data_type.index())),
+    }
+}
