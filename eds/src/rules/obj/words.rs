@@ -9,14 +9,7 @@ pub(super) const FIRST_OF_VENDORS: u16 = 0x40;
 pub(super) fn more(number: usize) -> String {
     match number {
         0 => String::new(),
-        number => format!(
-            ", and so {} more",
-            if number == 1 {
-                "is one".into()
-            } else {
-                format!("are {number}")
-            }
-        ),
+        number => format!(" (and {number} more)"),
     }
 }
 
