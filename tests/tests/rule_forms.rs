@@ -7,8 +7,8 @@ use lexican_eds::rules::{self, Levels};
 /// What is found in a good file whose object 2000h is described by `lines`, each as code and message.
 fn found(lines: &str) -> Vec<String> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/rules/OBJ001.fixed.eds");
-    let file = fs::read_to_string(path).unwrap();
-    let (before, _) = file.split_once("[2000]\n").unwrap();
+    let file = fs::read_to_string(path).expect("the fixture is there");
+    let (before, _) = file.split_once("[2000]\n").expect("the fixture has the object");
     let text = format!("{before}[2000]\nParameterName=Gain\n{}\n", lines.replace(' ', "\n"));
     let reading = lexican_eds::read("x.eds", text.into());
     let found = rules::check(&reading, &Levels::default());
