@@ -223,3 +223,14 @@ fn a_file_is_left_as_it_was() {
     assert_eq!(fs::read(lexican.path().join("denied.eds")).unwrap(), DENIED);
     assert_eq!(fs::read_dir(lexican.path()).unwrap().count(), 1);
 }
+
+#[test]
+fn the_encoders_of_this_project_are_clean() {
+    let devices = concat!(env!("CARGO_MANIFEST_DIR"), "/../eds/devices");
+    let ran = Lexican::with(&[]).run(&["check", devices]);
+    assert!(
+        ran.printed(0).ends_with("files checked: no findings\n"),
+        "{}",
+        ran.stdout
+    );
+}
