@@ -3,10 +3,12 @@
 pub mod bus;
 pub mod client;
 pub mod corpus;
+pub mod described;
 pub mod dialogue;
 pub mod generated;
 pub mod line;
 pub mod sample;
+pub mod sdo_client;
 pub mod simulated;
 
 /// The first page: its examples run as tests, the build script with the others of this package.

@@ -57,6 +57,11 @@ pub(super) fn expected_instead(answer: &Answered<'_>, node_id: NodeId) -> Option
     (differs && answer.fits()).then_some(expected)
 }
 
+/// Whether the device answered what the file gives.
+pub(super) fn is_default(answer: &Answered<'_>, node_id: NodeId) -> bool {
+    answer.entry.default.is_some() && expected_instead(answer, node_id).is_none()
+}
+
 /// The bytes without what a device fills a VISIBLE_STRING up with: NUL is one of its characters (CiA 301), and shows nothing.
 fn content(bytes: &[u8], data_type: DataType) -> &[u8] {
     let length = match data_type {

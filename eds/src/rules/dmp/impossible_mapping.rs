@@ -1,6 +1,6 @@
 use super::{
     answers::{Answered, answered},
-    difference::expected_instead,
+    difference::is_default,
 };
 use crate::{
     diagnostic::Level,
@@ -49,7 +49,7 @@ impl DumpRule for ImpossibleMapping {
 /// What is mapped here, and why the file does not allow it.
 pub(super) fn impossible(dictionary: &Dictionary, dump: &Dump, answer: &Answered<'_>) -> Option<(Mapped, String)> {
     let direction = direction(answer.object.index).filter(|_| is_in_force(answer, dump))?;
-    let mapped = mapped(answer.bytes).filter(|_| expected_instead(answer, dump.node_id).is_some())?;
+    let mapped = mapped(answer.bytes).filter(|_| !is_default(answer, dump.node_id))?;
     Some((mapped, impossibility(dictionary, direction, mapped)?))
 }
 

@@ -1,4 +1,4 @@
-use super::shown::shown;
+use super::{answers::named, shown::shown};
 use crate::{
     diagnostic::Level,
     dump::{Dump, Identity},
@@ -29,17 +29,18 @@ impl DumpRule for MixedDevices {
     fn check(dictionary: &Dictionary, dump: &Dump, report: &mut Report) {
         for (address, noted) in dump.device.iter().flat_map(facts) {
             let noted = noted.to_le_bytes();
-            let Some(bytes) = dump.value(address).filter(|bytes| *bytes != noted) else {
+            let Some(bytes) = dump.value(address).filter(|bytes| bytes.len() == 4 && *bytes != noted) else {
                 continue;
             };
-            let span = dictionary
-                .entry(address)
-                .map_or(Span::default(), |entry| entry.spans.section);
+            let entry = dictionary.entry(address);
+            let span = entry.map_or(Span::default(), |entry| entry.spans.section);
+            let object = dictionary.object(address.index);
+            let name = object.map_or_else(|| address.to_string(), |object| named(object, address));
             let (found, noted) = (shown(bytes, DataType::Unsigned32), shown(&noted, DataType::Unsigned32));
             report
                 .at(
                     span,
-                    format!("{address} answers {found}; the dump began on a device with {noted}"),
+                    format!("{name} answers {found}; the dump began on a device with {noted}"),
                 )
                 .help("take the dump again, of one device");
         }

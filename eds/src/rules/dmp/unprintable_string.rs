@@ -1,4 +1,4 @@
-use super::{answers::answered, shown::shown};
+use super::{answers::answered, difference::is_default, shown::shown};
 use crate::{
     diagnostic::Level,
     dump::Dump,
@@ -8,7 +8,8 @@ use crate::{
 
 declare_rule! {
     /// ## What it does
-    /// Finds VISIBLE_STRINGs with bytes other than the visible characters 20h to 7Eh and NUL.
+    /// Finds VISIBLE_STRINGs with bytes other than the visible characters 20h to 7Eh and NUL. A text that is the file's own
+    /// default is left to `lexican check`.
     ///
     /// ## Why it matters
     /// A tool shows it garbled, each in another way. Often it is memory that was never written, FFh, or bytes of another object.
@@ -27,8 +28,10 @@ impl DumpRule for UnprintableString {
     fn check(dictionary: &Dictionary, dump: &Dump, report: &mut Report) {
         for answer in answered(dictionary, dump) {
             let (data_type, bytes) = (answer.entry.data_type, answer.bytes);
-            let strange = bytes.iter().find(|&&byte| !matches!(byte, 0 | 0x20..=0x7E));
-            if let Some(byte) = strange.filter(|_| data_type == DataType::VisibleString) {
+            if data_type != DataType::VisibleString || is_default(&answer, dump.node_id) {
+                continue;
+            }
+            if let Some(byte) = bytes.iter().find(|&&byte| !matches!(byte, 0 | 0x20..=0x7E)) {
                 let (name, text) = (answer.named(), shown(bytes, data_type));
                 report
                     .at(

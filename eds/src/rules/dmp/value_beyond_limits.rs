@@ -2,7 +2,7 @@ use std::cmp::Ordering;
 
 use super::{
     answers::{Answered, answered},
-    difference::expected_instead,
+    difference::is_default,
     shown::shown,
 };
 use crate::{
@@ -72,6 +72,5 @@ pub(super) fn exceeded<'a>(answer: &Answered<'a>, node_id: NodeId) -> Option<Lim
         value,
         span: entry.spans.high,
     });
-    let is_default = entry.default.is_some() && expected_instead(answer, node_id).is_none();
-    low.or(high).filter(|_| !is_default)
+    low.or(high).filter(|_| !is_default(answer, node_id))
 }

@@ -1,3 +1,4 @@
+use super::answers::named;
 use crate::{
     diagnostic::Level,
     dump::{AbortCode, Answer, Dump},
@@ -34,13 +35,13 @@ impl DumpRule for WrongAbortCode {
             else {
                 continue;
             };
-            let span = dictionary
-                .object(address.index)
-                .map_or(Span::default(), |object| object.span);
+            let object = dictionary.object(address.index);
+            let span = object.map_or(Span::default(), |object| object.span);
+            let name = object.map_or_else(|| address.to_string(), |object| named(object, address));
             report
                 .at(
                     span,
-                    format!("the device aborts with {sent} for {address}; it has to be {right}"),
+                    format!("the device aborts with {sent} for {name}; it has to be {right}"),
                 )
                 .help("check the index first, then the sub-index");
             reported = Some(address.index);
@@ -50,20 +51,16 @@ impl DumpRule for WrongAbortCode {
 
 /// The code that the device sent, and the one that it should have.
 fn mistaken(address: Address, answer: &Answer, dump: &Dump) -> Option<(AbortCode, AbortCode)> {
-    let first = dump.answer(Address::new(address.index, 0));
+    let is_there = || dump.object(address.index).any(|(_, other)| other.value().is_some());
+    let is_absent_at_zero = || {
+        dump.answer(Address::new(address.index, 0))
+            .is_some_and(Answer::is_absence)
+    };
     match *answer {
-        Answer::Abort(sent @ AbortCode::NO_SUCH_OBJECT)
-            if dump.object(address.index).any(|(_, other)| is_value(other)) =>
-        {
-            Some((sent, AbortCode::NO_SUCH_SUB_INDEX))
-        }
-        Answer::Abort(sent @ AbortCode::NO_SUCH_SUB_INDEX) if first.is_some_and(Answer::is_absence) => {
+        Answer::Abort(sent @ AbortCode::NO_SUCH_OBJECT) if is_there() => Some((sent, AbortCode::NO_SUCH_SUB_INDEX)),
+        Answer::Abort(sent @ AbortCode::NO_SUCH_SUB_INDEX) if is_absent_at_zero() && !is_there() => {
             Some((sent, AbortCode::NO_SUCH_OBJECT))
         }
         _ => None,
     }
-}
-
-const fn is_value(answer: &Answer) -> bool {
-    matches!(answer, Answer::Value(_))
 }

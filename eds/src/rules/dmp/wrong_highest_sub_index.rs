@@ -63,7 +63,8 @@ fn contradiction(object: &Object, entry: &Entry, dump: &Dump, says: u8) -> Optio
     if highest > says {
         return Some(format!("sub-index {highest} answers too"));
     }
-    if is_absent(Address::new(object.index, says), dump) {
+    // One that the file has is reported as missing.
+    if object.entry(says).is_none() && is_absent(Address::new(object.index, says), dump) {
         return Some(format!("there is no sub-index {says}"));
     }
     match entry.default {
