@@ -2,7 +2,7 @@
 
 use std::{
     fmt,
-    io::{self, ErrorKind},
+    io::{self, ErrorKind, Write as _},
 };
 
 /// A sentence for stderr. Nothing in it steers the terminal.
@@ -24,6 +24,13 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&lexican_eds::render::printable(&self.0))
     }
+}
+
+/// Tells the user what the command does not fail by, on stderr. Nobody is left to hear of it when stderr is gone.
+pub(crate) fn note(sentence: &str) {
+    let style = anstyle::AnsiColor::BrightGreen.on_default().bold();
+    let sentence = lexican_eds::render::printable(sentence);
+    let _ = writeln!(anstream::stderr(), "{style}note{style:#}: {sentence}");
 }
 
 /// What the system says, without its numbers, and the cure where there is one.

@@ -24,7 +24,7 @@ fn read(name: &str) -> Vec<u8> {
 
 fn validate(reading: &Reading, dump: &str) -> Vec<Diagnostic> {
     let dump = Dump::from_json(&read(dump)).unwrap_or_else(|error| panic!("{dump}:{error}"));
-    rules::validate(&reading.dictionary, &dump, &Levels::default())
+    rules::validate(reading, &dump, &Levels::default())
 }
 
 fn codes() -> impl Iterator<Item = &'static str> {
@@ -61,5 +61,22 @@ fn the_fixtures_files_are_good_themselves() {
     for code in codes() {
         let reading = lexican_eds::read(format!("{code}.eds"), read(&format!("{code}.eds")));
         assert_eq!(rules::check(&reading, &Levels::default()), [], "{code}.eds");
+    }
+}
+
+#[test]
+fn each_finding_says_how_to_mend_it_in_the_grammar_of_messages() {
+    for code in codes() {
+        let reading = lexican_eds::read(format!("{code}.eds"), read(&format!("{code}.eds")));
+        for diagnostic in validate(&reading, &format!("{code}.json")) {
+            let help = diagnostic.help.unwrap_or_else(|| panic!("{code} has no cure"));
+            assert!(
+                help.starts_with(|c: char| c.is_lowercase()),
+                "{code}: `{help}` is no part of a sentence"
+            );
+            for text in [diagnostic.message, help] {
+                assert!(!text.ends_with('.'), "{code}: `{text}` ends in a full stop");
+            }
+        }
     }
 }

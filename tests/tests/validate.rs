@@ -44,7 +44,7 @@ impl Circle {
     }
 
     fn validate(&self, dump: &Dump) -> Vec<Diagnostic> {
-        rules::validate(&self.reading.dictionary, dump, &Levels::default())
+        rules::validate(&self.reading, dump, &Levels::default())
     }
 
     /// What is found when the answer at `address` is `answer`.
@@ -56,10 +56,10 @@ impl Circle {
 
     /// What is found when `address` answers with these bytes: something, of that address only, at deny.
     #[track_caller]
-    fn assert_found(&self, entry: &Entry, bytes: Vec<u8>, code: Option<&str>) {
+    fn assert_found(&self, entry: &Entry, bytes: &[u8], code: Option<&str>) {
         self.assert_names(
             entry,
-            &self.with(entry.address, Answer::Value(bytes.clone())),
+            &self.with(entry.address, Answer::Value(bytes.to_vec())),
             code,
             &format!("{bytes:02X?}"),
         );
@@ -81,10 +81,10 @@ impl Circle {
     }
 
     fn named(&self, entry: &Entry) -> String {
-        match self.has_sub_indices(entry) {
-            true => entry.address.to_string(),
-            false => format!("{:04X}h", entry.address.index),
+        if self.has_sub_indices(entry) {
+            return entry.address.to_string();
         }
+        format!("{:04X}h", entry.address.index)
     }
 
     fn has_sub_indices(&self, entry: &Entry) -> bool {
@@ -125,7 +125,7 @@ fn any_changed_byte_of_a_constant_or_of_the_identity_is_found_and_named() {
             for place in 0..bytes.len() {
                 let mut changed = bytes.to_vec();
                 changed[place] ^= 0x01;
-                circle.assert_found(entry, changed, None);
+                circle.assert_found(entry, &changed, None);
                 judged += 1;
             }
         }
@@ -146,8 +146,8 @@ fn a_value_a_byte_short_or_long_is_found_and_named() {
         for (entry, bytes) in circle.answered().filter(|(entry, _)| entry.data_type.bytes().is_some()) {
             let (_, short) = bytes.split_last().expect("at least a byte");
             let long = [bytes, &[0]].concat();
-            circle.assert_found(entry, short.to_vec(), Some("DMP003"));
-            circle.assert_found(entry, long, Some("DMP003"));
+            circle.assert_found(entry, short, Some("DMP003"));
+            circle.assert_found(entry, &long, Some("DMP003"));
             judged += 2;
         }
         judged
@@ -164,7 +164,7 @@ fn a_value_beyond_its_limits_is_found_and_named() {
                 .into_iter()
                 .filter_map(|(limit, step)| neighbour(entry, limit?, step))
             {
-                circle.assert_found(entry, bytes, Some("DMP006"));
+                circle.assert_found(entry, &bytes, Some("DMP006"));
                 judged += 1;
             }
         }
@@ -217,9 +217,10 @@ fn any_object_that_is_refused_is_found_and_named() {
 
 /// What a device may say instead of a value, with the code that it is found under.
 fn refusals(of_sub_index: bool) -> [(Answer, &'static str); 4] {
-    let absence = match of_sub_index {
-        true => AbortCode::NO_SUCH_SUB_INDEX,
-        false => AbortCode::NO_SUCH_OBJECT,
+    let absence = if of_sub_index {
+        AbortCode::NO_SUCH_SUB_INDEX
+    } else {
+        AbortCode::NO_SUCH_OBJECT
     };
     [
         (Answer::Abort(absence), "DMP001"),

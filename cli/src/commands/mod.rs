@@ -4,6 +4,7 @@ mod check;
 mod explain;
 mod generate;
 mod levels;
+mod validate;
 
 use clap::Subcommand;
 
@@ -14,6 +15,7 @@ pub(crate) enum Command {
     Check(check::Check),
     Explain(explain::Explain),
     Generate(generate::Generate),
+    Validate(validate::Validate),
 }
 
 impl Command {
@@ -22,6 +24,7 @@ impl Command {
             Self::Check(check) => check.run(),
             Self::Explain(explain) => explain.run(),
             Self::Generate(generate) => generate.run(),
+            Self::Validate(validate) => validate.run(),
         }
     }
 }

@@ -33,9 +33,19 @@ pub(crate) struct Checked {
     pub(crate) diagnostics: Vec<Diagnostic>,
 }
 
-/// All that a run of `check` has to say.
+/// What was checked.
+#[derive(Clone, Copy, Default)]
+pub(crate) enum Subject {
+    #[default]
+    File,
+    /// A device, against its file.
+    Device,
+}
+
+/// All that a run of `check` or `validate` has to say.
 #[derive(Default)]
 pub(crate) struct Report {
+    pub(crate) subject: Subject,
     pub(crate) checked: Vec<Checked>,
     /// Files and directories that could not be read.
     pub(crate) failures: Vec<Failure>,

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use lexican_eds::render::Renderer;
 
-use super::Report;
+use super::{Report, Subject};
 
 /// Writes each finding with its line of the file, and a summary at the end.
 pub(super) fn write(report: &Report, out: &mut impl Write) -> io::Result<()> {
@@ -16,12 +16,16 @@ pub(super) fn write(report: &Report, out: &mut impl Write) -> io::Result<()> {
     }
     match report.checked.len() {
         0 => Ok(()),
-        files => writeln!(out, "{}", summary(report, files)),
+        number => writeln!(out, "{}", summary(report, number)),
     }
 }
 
 /// `3 files checked: 1 error, 2 warnings`
-fn summary(report: &Report, files: usize) -> String {
-    let plural = if files == 1 { "" } else { "s" };
-    format!("{files} file{plural} checked: {}", report.counts())
+fn summary(report: &Report, number: usize) -> String {
+    let subject = match report.subject {
+        Subject::File => "file",
+        Subject::Device => "device",
+    };
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{number} {subject}{plural} checked: {}", report.counts())
 }

@@ -7,3 +7,4 @@ mod explain;
 mod generate;
 mod help;
 mod lexican;
+mod validate;

@@ -28,7 +28,7 @@ pub fn manual() -> String {
 }
 
 const INTRODUCTION: &str = "\
-# The rules of `lexican check`
+# The rules of `lexican check` and `lexican validate`
 
 <!-- Made by `lexican explain --all`: change the rules' doc comments in eds/src/rules, not this file. -->
 

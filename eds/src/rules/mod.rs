@@ -1,8 +1,8 @@
 //! What can be wrong with a file, one rule a file.
 //!
-//! [`check`] holds a [`Reading`] against all rules of the [registry](all), [`validate`] holds a device against its file by those
-//! of family DMP. A rule's doc comment is its documentation for
-//! users: `lexican explain CODE` prints it, `docs/rules.md` is made of it.
+//! [`check`] holds a [`Reading`] against all rules of the [registry](all), [`validate`] holds a device against its file by
+//! those of family DMP. A rule's doc comment is its documentation for users: `lexican explain CODE` prints it,
+//! `docs/rules.md` is made of it.
 //!
 //! # One more rule
 //!
@@ -35,7 +35,6 @@ use crate::{
     diagnostic::{Diagnostic, Level},
     document::{Document, Problem},
     dump::Dump,
-    ir::Dictionary,
     span::Span,
 };
 pub(crate) use quote::{quoted, similar};
@@ -57,10 +56,25 @@ pub fn check(reading: &Reading, levels: &Levels) -> Vec<Diagnostic> {
             rule.check(reading, report);
         }
     });
-    for diagnostic in &mut found {
+    name_sections(document, &mut found);
+    found
+}
+
+/// Everything in which a device differs from its file, at the places of the file, ordered as by [`check`].
+#[must_use]
+pub fn validate(reading: &Reading, dump: &Dump, levels: &Levels) -> Vec<Diagnostic> {
+    let text = reading.document.source().text();
+    let mut found = collect(text, levels, |rule, report| {
+        rule.validate(&reading.dictionary, dump, report);
+    });
+    name_sections(&reading.document, &mut found);
+    found
+}
+
+fn name_sections(document: &Document, found: &mut [Diagnostic]) {
+    for diagnostic in found {
         diagnostic.section = section_before(document, diagnostic.span);
     }
-    found
 }
 
 /// The header of the section that `place` is in, unless it is the header itself or what is around it.
@@ -70,12 +84,6 @@ fn section_before(document: &Document, place: Span) -> Option<Span> {
     let header = sections.get(following.checked_sub(1)?)?.header;
     let lines = document.source();
     (lines.line_column(header).line != lines.line_column(place).line).then_some(header)
-}
-
-/// Everything in which a device differs from its file, at the places of the file, ordered as by [`check`].
-#[must_use]
-pub fn validate(dictionary: &Dictionary, dump: &Dump, levels: &Levels) -> Vec<Diagnostic> {
-    collect("", levels, |rule, report| rule.validate(dictionary, dump, report))
 }
 
 fn collect(text: &str, levels: &Levels, run: impl Fn(&Rule, &mut Report)) -> Vec<Diagnostic> {

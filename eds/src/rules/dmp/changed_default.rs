@@ -32,7 +32,9 @@ impl DumpRule for ChangedDefault {
         for difference in differences(dictionary, dump) {
             let entry = difference.answer.entry;
             if entry.access != AccessType::Const && !is_parameter(entry) {
-                report.at(entry.spans.default, difference.message());
+                report
+                    .at(entry.spans.default, difference.message())
+                    .help("restore the defaults (1011h) and take the dump again, if it is to be compared");
             }
         }
     }

@@ -10,7 +10,7 @@ declare_rule! {
     /// ## What it does
     /// Finds a device type (1000h), Vendor-ID, product code or revision number (1018h:1 to 3) that is not the file's: not the
     /// object's default or, where it has none, not VendorNumber, ProductNumber or RevisionNumber of `[DeviceInfo]`. The serial
-    /// number (1018h:4) has to be a DCF's LSS_SerialNumber; an EDS is for any.
+    /// number (1018h:4) has to be a DCF's LSS_SerialNumber, or the file's where that is a constant and not 0.
     ///
     /// ## Why it matters
     /// This is not the device that the file describes, or another revision of it. A master that checks 1F84h to 1F88h refuses
