@@ -396,6 +396,7 @@ fn device_file_and_commissioning_are_carried_over() {
         (dictionary.file.file_name.as_str(), dictionary.file.file_version),
         ("a.eds", 3)
     );
+    assert_eq!(dictionary.file.eds_version, "3.0");
     assert_eq!(dictionary.device.vendor_number, Some(1));
     assert_eq!(dictionary.device.baud_rates.0, [10, 500]);
     assert_eq!(

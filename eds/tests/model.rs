@@ -4,7 +4,7 @@ use lexican_eds::Reading;
 use lexican_eds::document::Keyword;
 use lexican_eds::ir::{AccessType, DataType, ObjectCode, Value};
 use lexican_eds::literal::{Fault, Note};
-use lexican_eds::model::{Count, Expected, Object, Problem};
+use lexican_eds::model::{Count, Expected, Object, PpOffset, Problem};
 use lexican_eds::span::{Span, Spanned};
 
 fn read(text: &str) -> Reading {
@@ -63,7 +63,8 @@ fn device_info_is_read_key_by_key() {
         "[DeviceInfo]\nVendorName=\"TR\"\nVendorNumber=0x195\nProductName=E\nProductNumber=7\nRevisionNumber=0x10002\n\
          OrderCode=E-7\nLSS_SerialNumber=99\nBaudRate_10=0\nBaudrate_1000=1\nBaudRate_100=1\nSimpleBootUpMaster=0\n\
          SimpleBootupSlave=1\nGranularity=8\nDynamicChannelsSupported=0x00000000\nGroupMessaging=0\nNrOfRxPDO=2\n\
-         NrOfTXPDO=0x4\nLSS_Supported=1\nCompactPDO=23\nNG_Slave=1\nNG_Master=0\nNrOfNG_MonitoredNodes=3\n",
+         NrOfTXPDO=0x4\nLSS_Supported=1\nCompactPDO=23\nNG_Slave=1\nNG_Master=0\nNrOfNG_MonitoredNodes=3\n\
+         LSS_Master=1\nBaudRate_auto=0\nCANopenSafetySupported=1\n",
     );
     let info = reading.eds.device_info.as_ref().unwrap();
     assert_eq!(value(&info.vendor_name).unwrap(), "TR");
@@ -91,6 +92,11 @@ fn device_info_is_read_key_by_key() {
         (Some(true), Some(false))
     );
     assert_eq!(value(&info.nr_of_ng_monitored_nodes), Some(3));
+    assert_eq!(
+        (value(&info.lss_master), value(&info.baud_rate_auto)),
+        (Some(true), Some(false))
+    );
+    assert_eq!(value(&info.canopen_safety_supported), Some(true));
     let [Problem::Unusual { keyword, note, at, .. }] = *reading.eds.problems() else {
         panic!("{:?}", reading.eds.problems())
     };
@@ -148,7 +154,7 @@ fn lists_comments_dummies_tools_and_channels_are_read() {
         "[OptionalObjects]\nSupportedObjects=0x2\n1=0x1003\n2=4120\n[Comments]\nLines=1\nLine1=\"As is\"\n\
          [DummyUsage]\nDummy0005=1\nDummy0007=0\n[StandardDataTypes]\n0x0001=1\n\
          [Tools]\nItems=1\n[Tool1]\nName=Setup\nCommand=setup $EDS\n\
-         [DynamicChannels]\nNrOfSeg=1\nType1=0x0007\nDir1=rww\nRange1=0xA080-0xA0BF\nPPOffset1=0\nMaxCnt1=64\n",
+         [DynamicChannels]\nNrOfSeg=1\nType1=0x0007\nDir1=rww\nRange1=0xA080-0xA0BF\nPPOffset1=0x10, 1\nMaxCnt1=64\n",
     );
     let optional = reading.eds.optional.as_ref().unwrap();
     assert_eq!(value(&optional.count), Some(2));
@@ -170,9 +176,13 @@ fn lists_comments_dummies_tools_and_channels_are_read() {
     assert_eq!(value(&segment.data_type), Some(7));
     assert_eq!(value(&segment.direction), Some(AccessType::Rww));
     assert_eq!(value(&segment.range), Some((0xA080, 0xA0BF)));
+    let offset = PpOffset {
+        offset: 0x10,
+        address_difference: Some(1),
+    };
     assert_eq!(
         (value(&segment.pp_offset), value(&segment.max_cnt)),
-        (Some(0), Some(64))
+        (Some(offset), Some(64))
     );
     assert!(reading.eds.problems().is_empty(), "{:?}", reading.eds.problems());
 }
@@ -182,7 +192,8 @@ fn an_object_is_read_key_by_key_and_each_value_has_its_place() {
     let reading = read(
         "[6003]\nParameterName=Preset\nObjectType=0x7\nLowLimit=-5\nHighLimit=0x7FFF\nDefaultValue=0x10\nDataType=0x0004\n\
          AccessType=rw\nPDOMapping=0\nObjFlags=3\nParameterValue=17\nDenotation=Left\nUploadFile=u.bin\n\
-         DownloadFile=d.bin\nParaRefd=P1\nUniqueIDRef=id7\n",
+         DownloadFile=d.bin\nParaRefd=P1\nUniqueIDRef=id7\n\
+         SRDOMapping=1\nInvertedSRAD=0x610101\n",
     );
     let description = object(&reading).description.as_ref().unwrap();
     assert_eq!(value(&description.parameter_name).unwrap(), "Preset");
@@ -205,6 +216,8 @@ fn an_object_is_read_key_by_key_and_each_value_has_its_place() {
     assert_eq!(value(&configuration.download_file).unwrap(), "d.bin");
     assert_eq!(value(&configuration.para_refd).unwrap(), "P1");
     assert_eq!(value(&configuration.unique_id_ref).unwrap(), "id7");
+    assert_eq!(value(&configuration.srdo_mapping), Some(true));
+    assert_eq!(value(&configuration.inverted_srad), Some(0x61_0101));
     assert!(reading.eds.problems().is_empty());
 }
 

@@ -11,7 +11,7 @@ pub struct FileInfo {
     pub file_version: u32,
     /// FileRevision
     pub file_revision: u32,
-    /// EDSVersion, `4.0`
+    /// EDSVersion, `4.0`; `3.0` when the file does not say
     pub eds_version: String,
     /// Description
     pub description: String,
@@ -54,6 +54,8 @@ pub struct DeviceInfo {
     pub nr_of_tx_pdo: Option<u16>,
     /// LSS_Supported
     pub lss_supported: bool,
+    /// LSS_SerialNumber: 1018h:04
+    pub lss_serial_number: Option<u32>,
     /// NG_Slave: node guarding
     pub ng_slave: bool,
     /// CompactPDO: the sub-indices that a PDO communication record without own section has, a bit each.

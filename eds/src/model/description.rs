@@ -32,13 +32,13 @@ pub struct Description {
     pub sub_number: Option<Spanned<u16>>,
     /// CompactSubObj: how many sub-objects have none.
     pub compact_sub_obj: Option<Spanned<u16>>,
-    /// What a DCF adds.
+    /// What few descriptions have.
     pub configuration: Option<Box<Configuration>>,
     value_type: Option<u16>,
     mentioned: u8,
 }
 
-/// What a DCF adds to a description (CiA 306-1, 5.2), and references to other documents.
+/// What few descriptions have: what a DCF adds (CiA 306-1, 5.2), references to other documents, CANopen Safety.
 #[derive(Clone, Debug, Default)]
 pub struct Configuration {
     /// ParameterValue
@@ -49,10 +49,14 @@ pub struct Configuration {
     pub upload_file: Option<Spanned<String>>,
     /// DownloadFile
     pub download_file: Option<Spanned<String>>,
-    /// ParaRefd: the parameter's reference designator.
+    /// ParaRefd, ParamRefd: the parameter's reference designator.
     pub para_refd: Option<Spanned<String>>,
     /// UniqueIDRef
     pub unique_id_ref: Option<Spanned<String>>,
+    /// SRDOMapping: whether it may be mapped into an SRDO (EN 50325-5).
+    pub srdo_mapping: Option<Spanned<bool>>,
+    /// InvertedSRAD: the object that holds the inverted value, `0x610101`.
+    pub inverted_srad: Option<Spanned<u32>>,
 }
 
 impl Description {
@@ -136,21 +140,30 @@ pub(super) fn read<'d>(
 const fn is_configuration(keyword: Keyword) -> bool {
     matches!(
         keyword,
-        Keyword::Denotation | Keyword::UploadFile | Keyword::DownloadFile | Keyword::ParaRefd | Keyword::UniqueIdRef
+        Keyword::Denotation
+            | Keyword::UploadFile
+            | Keyword::DownloadFile
+            | Keyword::ParaRefd
+            | Keyword::ParamRefd
+            | Keyword::UniqueIdRef
+            | Keyword::SrdoMapping
+            | Keyword::InvertedSrad
     )
 }
 
 impl Description {
     fn configure(&mut self, fields: &mut Fields<'_>, entry: &Entry) {
         let configuration = self.configuration.get_or_insert_default();
-        let field = match entry.keyword {
+        let text = match entry.keyword {
             Keyword::Denotation => &mut configuration.denotation,
             Keyword::UploadFile => &mut configuration.upload_file,
             Keyword::DownloadFile => &mut configuration.download_file,
-            Keyword::ParaRefd => &mut configuration.para_refd,
+            Keyword::ParaRefd | Keyword::ParamRefd => &mut configuration.para_refd,
+            Keyword::SrdoMapping => return first(&mut configuration.srdo_mapping, fields.flag(entry)),
+            Keyword::InvertedSrad => return first(&mut configuration.inverted_srad, fields.number(entry)),
             _ => &mut configuration.unique_id_ref,
         };
-        first(field, fields.text(entry));
+        first(text, fields.text(entry));
     }
 
     fn read_values(&mut self, fields: &mut Fields<'_>, typed: &Typed<'_>, fallback: Option<u16>) {

@@ -40,6 +40,12 @@ pub struct DeviceInfo {
     pub nr_of_tx_pdo: Option<Spanned<u16>>,
     /// LSS_Supported
     pub lss_supported: Option<Spanned<bool>>,
+    /// LSS_Master
+    pub lss_master: Option<Spanned<bool>>,
+    /// BaudRate_auto: the device finds out the bit rate.
+    pub baud_rate_auto: Option<Spanned<bool>>,
+    /// CANopenSafetySupported (EN 50325-5)
+    pub canopen_safety_supported: Option<Spanned<bool>>,
     /// LSS_SerialNumber: 1018h sub 4.
     pub lss_serial_number: Option<Spanned<u32>>,
     /// CompactPDO: a bit for each sub-index of the communication parameters that have no section.
@@ -104,6 +110,9 @@ fn read_ability(fields: &mut Fields<'_>, entry: &Entry, info: &mut DeviceInfo) {
         Keyword::NrOfRxPdo => first(&mut info.nr_of_rx_pdo, fields.number(entry)),
         Keyword::NrOfTxPdo => first(&mut info.nr_of_tx_pdo, fields.number(entry)),
         Keyword::LssSupported => first(&mut info.lss_supported, fields.flag(entry)),
+        Keyword::LssMaster => first(&mut info.lss_master, fields.flag(entry)),
+        Keyword::BaudRateAuto => first(&mut info.baud_rate_auto, fields.flag(entry)),
+        Keyword::CanopenSafetySupported => first(&mut info.canopen_safety_supported, fields.flag(entry)),
         Keyword::CompactPdo => first(&mut info.compact_pdo, fields.number(entry)),
         Keyword::NgSlave => first(&mut info.ng_slave, fields.flag(entry)),
         Keyword::NgMaster => first(&mut info.ng_master, fields.flag(entry)),

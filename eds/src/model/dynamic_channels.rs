@@ -1,4 +1,4 @@
-//! `[DynamicChannels]` (CiA 306-1, 4.8): objects that a program creates at run time (CiA 302-4).
+//! `[DynamicChannels]` (CiA 306-1): objects that a program creates at run time (CiA 302-4).
 
 use std::collections::HashMap;
 
@@ -32,9 +32,18 @@ pub struct Segment {
     /// Range: the first and the last index.
     pub range: Option<Spanned<(u16, u16)>>,
     /// PPOffset: where in the process picture the segment starts.
-    pub pp_offset: Option<Spanned<u32>>,
+    pub pp_offset: Option<Spanned<PpOffset>>,
     /// MaxCnt, before EDS version 4: how many objects there can be.
     pub max_cnt: Option<Spanned<u32>>,
+}
+
+/// `0`, or `0, 1` of a BOOLEAN segment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PpOffset {
+    /// The address of the first object.
+    pub offset: u32,
+    /// How far the addresses of two objects are apart; of BOOLEAN segments only.
+    pub address_difference: Option<u32>,
 }
 
 pub(super) fn read(fields: &mut Fields<'_>, section: &Section) -> DynamicChannels {
@@ -76,7 +85,7 @@ impl Segment {
             Keyword::Type(_) => first(&mut self.data_type, fields.data_type(entry)),
             Keyword::Dir(_) => first(&mut self.direction, fields.access(entry)),
             Keyword::Range(_) => first(&mut self.range, fields.read(entry, Expected::IndexRange, range)),
-            Keyword::PpOffset(_) => first(&mut self.pp_offset, fields.number(entry)),
+            Keyword::PpOffset(_) => first(&mut self.pp_offset, fields.read(entry, Expected::PpOffset, pp_offset)),
             _ => first(&mut self.max_cnt, fields.number(entry)),
         }
     }
@@ -91,4 +100,21 @@ fn range(text: &str) -> Result<Literal<(u16, u16)>, Fault> {
 fn index(text: &str) -> Result<u16, Fault> {
     let index = unsigned(text, 0xFFFF)?.value;
     u16::try_from(index).map_err(|_| Fault::OutOfRange)
+}
+
+/// `0x10` or `0, 1`
+fn pp_offset(text: &str) -> Result<Literal<PpOffset>, Fault> {
+    let (offset, difference) = match text.split_once(',') {
+        Some((offset, difference)) => (offset.trim_end(), Some(difference.trim_start())),
+        None => (text, None),
+    };
+    Ok(Literal::plain(PpOffset {
+        offset: address(offset)?,
+        address_difference: difference.map(address).transpose()?,
+    }))
+}
+
+fn address(text: &str) -> Result<u32, Fault> {
+    let address = unsigned(text, u32::MAX.into())?.value;
+    u32::try_from(address).map_err(|_| Fault::OutOfRange)
 }

@@ -26,7 +26,7 @@ pub use comments::Comments;
 pub use description::{Configuration, Description};
 pub use device_commissioning::DeviceCommissioning;
 pub use device_info::{BaudRate, DeviceInfo};
-pub use dynamic_channels::{DynamicChannels, Segment};
+pub use dynamic_channels::{DynamicChannels, PpOffset, Segment};
 pub use file_info::FileInfo;
 pub use list::{Item, List};
 pub use module::{Count, Module, ModuleInfo, SubExtension};

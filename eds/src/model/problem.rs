@@ -109,6 +109,8 @@ pub enum Expected {
     IndexRange,
     /// `n`, or `0;bits`.
     Count,
+    /// `offset`, or `offset, difference`.
+    PpOffset,
 }
 
 impl Problem {

@@ -118,6 +118,10 @@ keywords! {
     LssSupported = "LSS_Supported",
     /// `[DeviceInfo]`
     CompactPdo = "CompactPDO",
+    /// LSS as master; `[DeviceInfo]`
+    LssMaster = "LSS_Master",
+    /// The device finds out the bit rate; `[DeviceInfo]`
+    BaudRateAuto = "BaudRate_auto",
     /// Node guarding as NMT slave; `[DeviceInfo]`
     NgSlave = "NG_Slave",
     /// Node guarding as NMT master; `[DeviceInfo]`
@@ -128,6 +132,8 @@ keywords! {
     ProductVersion = "ProductVersion",
     /// `[MxModuleInfo]`; in `[DeviceInfo]` before EDS version 4
     ProductRevision = "ProductRevision",
+    /// CANopen Safety, EN 50325-5; `[DeviceInfo]`
+    CanopenSafetySupported = "CANopenSafetySupported",
     /// `[DeviceInfo]` before EDS version 4
     ExtendedBootUpMaster = "ExtendedBootUpMaster",
     /// `[DeviceInfo]` before EDS version 4
@@ -179,6 +185,10 @@ keywords! {
     HighLimit = "HighLimit",
     /// Objects
     PdoMapping = "PDOMapping",
+    /// Mappable into an SRDO of CANopen Safety; objects
+    SrdoMapping = "SRDOMapping",
+    /// The object with the inverted value of one in an SRDO; objects
+    InvertedSrad = "InvertedSRAD",
     /// Objects
     ObjFlags = "ObjFlags",
     /// How many sub-objects have a section; objects
@@ -187,6 +197,8 @@ keywords! {
     CompactSubObj = "CompactSubObj",
     /// Reference designator of a parameter; objects of a DCF
     ParaRefd = "ParaRefd",
+    /// [`Keyword::ParaRefd`] as CiA 306-1 spells it from version 1.4 on
+    ParamRefd = "ParamRefd",
     /// Objects
     UniqueIdRef = "UniqueIDRef",
     /// Objects of a DCF

@@ -96,7 +96,7 @@ const fn slot(key: &[u8]) -> u8 {
     let [first, .., before_last, _] = key else { return 0 };
     let middle = key[key.len() / 2] | 0x20;
     let mixed =
-        key.len() * 49 + (*first | 0x20) as usize * 62 + middle as usize * 34 + (*before_last | 0x20) as usize * 37;
+        key.len() * 2 + (*first | 0x20) as usize * 157 + middle as usize * 104 + (*before_last | 0x20) as usize * 188;
     mixed.to_le_bytes()[0]
 }
 
@@ -168,7 +168,7 @@ mod tests {
             "BaudRate_",
             "Dummy00005",
             "BaudRate_70000",
-            "BaudRate_auto",
+            "BaudRate_fast",
             "Dummy",
             "DummyXYZW",
             "Dummy+005",

@@ -13,9 +13,15 @@ pub(super) fn file(eds: &Eds) -> FileInfo {
         file_name: text(info.file_name.as_ref()),
         file_version: number(info.file_version),
         file_revision: number(info.file_revision),
-        eds_version: text(info.eds_version.as_ref()),
+        eds_version: eds_version(info),
         description: text(info.description.as_ref()),
     }
+}
+
+/// EDSVersion; a file without it is of version 3.0 (CiA 306-1, table 1).
+fn eds_version(info: &model::FileInfo) -> String {
+    let stated = text(info.eds_version.as_ref());
+    if stated.is_empty() { "3.0".to_owned() } else { stated }
 }
 
 pub(super) fn device(eds: &Eds) -> DeviceInfo {
@@ -38,6 +44,7 @@ pub(super) fn device(eds: &Eds) -> DeviceInfo {
         nr_of_rx_pdo: optional(info.nr_of_rx_pdo),
         nr_of_tx_pdo: optional(info.nr_of_tx_pdo),
         lss_supported: number(info.lss_supported),
+        lss_serial_number: optional(info.lss_serial_number),
         ng_slave: number(info.ng_slave),
         compact_pdo: number(info.compact_pdo),
     }

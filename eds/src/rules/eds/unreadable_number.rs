@@ -69,6 +69,7 @@ const fn range(expected: Expected) -> Option<&'static str> {
         Expected::Unsigned32 => Some("a number from 0 to 4294967295, such as 16 or 0x10"),
         Expected::IndexRange => Some("two indices, such as 0xA080-0xA0BF"),
         Expected::Count => Some("a count, or `0;` and a number of bits"),
+        Expected::PpOffset => Some("an offset, or an offset, a comma and a difference"),
         _ => None,
     }
 }
