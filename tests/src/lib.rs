@@ -2,8 +2,8 @@
 
 pub mod bus;
 pub mod client;
+pub mod complete;
 pub mod corpus;
-pub mod described;
 pub mod dialogue;
 pub mod generated;
 pub mod line;
