@@ -69,12 +69,16 @@ fn is_any_serial_number(entry: &Entry) -> bool {
 /// What the sections about the device say, with the name of the keyword.
 fn from_header(dictionary: &Dictionary, address: Address) -> Option<(Value, &'static str)> {
     let device = &dictionary.device;
-    let serial = || dictionary.commissioning.as_ref()?.lss_serial_number;
+    let commissioning = dictionary.commissioning.as_ref();
+    // Tools write 0 where they do not know it.
+    let serial_number = commissioning
+        .and_then(|commissioning| commissioning.lss_serial_number)
+        .filter(|&number| number != 0);
     let (number, keyword) = match (address.index, address.sub) {
         (0x1018, 1) => (device.vendor_number, "VendorNumber"),
         (0x1018, 2) => (device.product_number, "ProductNumber"),
         (0x1018, 3) => (device.revision_number, "RevisionNumber"),
-        (0x1018, 4) => (serial(), "LSS_SerialNumber"),
+        (0x1018, 4) => (serial_number, "LSS_SerialNumber"),
         _ => (None, ""),
     };
     Some((Value::Unsigned(u64::from(number?)), keyword))
