@@ -62,7 +62,7 @@ impl<T> Literal<T> {
 /// # Errors
 ///
 /// The fault of the first attempt when there is no comment, else that of the second.
-pub fn without_comment<T>(text: &str, read: impl Fn(&str) -> Result<Literal<T>, Fault>) -> Result<Literal<T>, Fault> {
+fn without_comment<T>(text: &str, read: impl Fn(&str) -> Result<Literal<T>, Fault>) -> Result<Literal<T>, Fault> {
     read(text).or_else(|fault| {
         let (value, _) = text.split_once(['#', ';']).ok_or(fault)?;
         let mut literal = read(value.trim_end())?;
