@@ -42,6 +42,15 @@ pub fn exchange_all<F>(
     }
 }
 
+/// Starts node 10h, then gives `exchange` a SYNC `n` times over: TPDO 1 with three objects is to follow each.
+pub fn sync_all<F>(n: u32, mut exchange: impl FnMut(u16, &[u8]) -> Option<F>) {
+    exchange(0x000, &[0x01, 0x10]);
+    for _ in 0..n {
+        let frame = exchange(black_box(0x080), black_box(&[]));
+        assert!(black_box(frame).is_some(), "no TPDO");
+    }
+}
+
 #[allow(dead_code, reason = "one of the stacks has everything")]
 /// Ends the bench of what a stack does not have.
 pub fn absent() -> ! {

@@ -6,7 +6,7 @@
 //!
 //! * [`wire`]: bytes ↔ meaning, one message family a file, no state.
 //! * [`od`]: the object dictionary: a table in flash, values in one struct, access with the abort codes of CiA 301.
-//! * one service a file or folder: [`sdo`], [`nmt`], [`heartbeat`], [`emcy`].
+//! * one service a file or folder: [`sdo`], [`nmt`], [`heartbeat`], [`emcy`], [`sync`], [`pdo`].
 //! * [`Node`]: ties the services together: [`Node::receive`], [`Node::poll`], [`Node::poll_at`].
 
 #![no_std]
@@ -15,7 +15,9 @@ pub mod emcy;
 pub mod heartbeat;
 pub mod nmt;
 pub mod od;
+pub mod pdo;
 pub mod sdo;
+pub mod sync;
 pub mod wire;
 
 mod abort;

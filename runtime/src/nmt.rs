@@ -46,6 +46,19 @@ impl Slave {
         self.serves_sdo()
     }
 
+    /// Whether SYNC is produced: not in INITIALISING and STOPPED (CiA 301, 7.3.2.2).
+    #[must_use]
+    pub const fn produces_sync(&self) -> bool {
+        self.serves_sdo()
+    }
+
+    /// Whether PDOs are exchanged: in OPERATIONAL only (CiA 301, 7.3.2.2).
+    #[inline]
+    #[must_use]
+    pub const fn exchanges_pdos(&self) -> bool {
+        matches!(self.state, NmtState::Operational)
+    }
+
     /// Takes a command; tells what there is to reset. In INITIALISING only a reset is obeyed.
     pub fn obey(&mut self, command: NmtCommand) -> Option<Reset> {
         match command {

@@ -358,6 +358,7 @@ pub mod cia406 {
     }
     impl<H: Handlers> lexican_runtime::Device for Device<H> {
         type Buffer = [u8; 8];
+        type Pdos = lexican_runtime::pdo::Pdos<2, 0, 2>;
         #[inline]
         fn table(&self) -> Table<'_> {
             TABLE
@@ -377,6 +378,10 @@ pub mod cia406 {
         #[inline]
         fn buffer(&self) -> Self::Buffer {
             [0; 8]
+        }
+        #[inline]
+        fn pdos(&self) -> Self::Pdos {
+            Self::Pdos::EMPTY
         }
         fn before_read(&mut self, _: Address) -> Result<(), AbortCode> {
             Ok(())

@@ -362,6 +362,7 @@ pub mod cia406_multi {
     }
     impl<H: Handlers> lexican_runtime::Device for Device<H> {
         type Buffer = [u8; 8];
+        type Pdos = lexican_runtime::pdo::Pdos<2, 0, 2>;
         #[inline]
         fn table(&self) -> Table<'_> {
             TABLE
@@ -381,6 +382,10 @@ pub mod cia406_multi {
         #[inline]
         fn buffer(&self) -> Self::Buffer {
             [0; 8]
+        }
+        #[inline]
+        fn pdos(&self) -> Self::Pdos {
+            Self::Pdos::EMPTY
         }
         fn before_read(&mut self, _: Address) -> Result<(), AbortCode> {
             Ok(())

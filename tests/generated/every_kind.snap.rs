@@ -650,6 +650,7 @@ pub mod every_kind {
     }
     impl<H: Handlers> lexican_runtime::Device for Device<H> {
         type Buffer = [u8; 100];
+        type Pdos = lexican_runtime::pdo::Pdos<2, 0, 3>;
         #[inline]
         fn table(&self) -> Table<'_> {
             TABLE
@@ -669,6 +670,10 @@ pub mod every_kind {
         #[inline]
         fn buffer(&self) -> Self::Buffer {
             [0; 100]
+        }
+        #[inline]
+        fn pdos(&self) -> Self::Pdos {
+            Self::Pdos::EMPTY
         }
         fn before_read(&mut self, address: Address) -> Result<(), AbortCode> {
             let Self { od, handlers } = self;

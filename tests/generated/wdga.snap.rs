@@ -551,6 +551,7 @@ pub mod wdga {
     }
     impl<H: Handlers> lexican_runtime::Device for Device<H> {
         type Buffer = [u8; 32];
+        type Pdos = lexican_runtime::pdo::Pdos<4, 0, 32>;
         #[inline]
         fn table(&self) -> Table<'_> {
             TABLE
@@ -570,6 +571,10 @@ pub mod wdga {
         #[inline]
         fn buffer(&self) -> Self::Buffer {
             [0; 32]
+        }
+        #[inline]
+        fn pdos(&self) -> Self::Pdos {
+            Self::Pdos::EMPTY
         }
         fn before_read(&mut self, _: Address) -> Result<(), AbortCode> {
             Ok(())

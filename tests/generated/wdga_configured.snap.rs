@@ -552,6 +552,7 @@ pub mod wdga_configured {
     }
     impl<H: Handlers> lexican_runtime::Device for Device<H> {
         type Buffer = [u8; 32];
+        type Pdos = lexican_runtime::pdo::Pdos<4, 0, 32>;
         #[inline]
         fn table(&self) -> Table<'_> {
             TABLE
@@ -571,6 +572,10 @@ pub mod wdga_configured {
         #[inline]
         fn buffer(&self) -> Self::Buffer {
             [0; 32]
+        }
+        #[inline]
+        fn pdos(&self) -> Self::Pdos {
+            Self::Pdos::EMPTY
         }
         fn before_read(&mut self, _: Address) -> Result<(), AbortCode> {
             Ok(())

@@ -7,6 +7,7 @@ pub mod corpus;
 pub mod dialogue;
 pub mod generated;
 pub mod line;
+pub mod network;
 pub mod sample;
 pub mod sdo_client;
 pub mod simulated;

@@ -41,3 +41,11 @@ pub fn bytes(hex: &str) -> Vec<u8> {
         .map(|pair| byte(pair).unwrap_or_else(|_| panic!("`{hex}` is not hexadecimal")))
         .collect()
 }
+
+/// `bytes` in hexadecimal digits.
+#[must_use]
+pub fn hex(bytes: &[u8]) -> String {
+    bytes
+        .iter()
+        .fold(String::new(), |text, byte| text + &format!("{byte:02X}"))
+}

@@ -175,6 +175,7 @@ pub mod device {
 
     impl<H: Handlers> lexican_runtime::Device for Device<H> {
         type Buffer = [u8; 60];
+        type Pdos = lexican_runtime::pdo::Pdos<0, 0, 0>;
 
         #[inline]
         fn table(&self) -> Table<'_> {
@@ -199,6 +200,11 @@ pub mod device {
         #[inline]
         fn buffer(&self) -> Self::Buffer {
             [0; 60]
+        }
+
+        #[inline]
+        fn pdos(&self) -> Self::Pdos {
+            Self::Pdos::EMPTY
         }
 
         fn before_read(&mut self, address: Address) -> Result<(), AbortCode> {

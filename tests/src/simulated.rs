@@ -2,6 +2,7 @@
 
 use lexican_eds::ir;
 use lexican_runtime::od::{Access, DataType, Device, Entry, Extra, Table, Value, bucket_of, place_of};
+use lexican_runtime::pdo::{Mapped, Parts, Room, Rpdo, Tpdo};
 use lexican_runtime::{AbortCode, Address};
 
 /// A value that a simulated device is to have.
@@ -64,7 +65,9 @@ impl From<&ir::Entry> for Object {
         Self {
             address: Address::new(entry.address.index, entry.address.sub),
             data_type: DataType(u8::try_from(entry.data_type.index()).expect("a static type")),
-            access: access(entry.access).with(if formula { Access::NODE_ID } else { Access(0) }),
+            access: access(entry.access)
+                .with(if formula { Access::NODE_ID } else { Access(0) })
+                .with(mappable(entry)),
             default: entry.default.as_ref().map_or_else(|| vec![0; length], bytes),
             limits: entry
                 .low
@@ -84,6 +87,34 @@ fn access(access: ir::AccessType) -> Access {
     }
 }
 
+/// Into which PDOs it may be mapped (CiA 306-1, AccessType).
+fn mappable(entry: &ir::Entry) -> Access {
+    match entry.access {
+        _ if !entry.pdo_mapping => Access(0),
+        ir::AccessType::Rw => Access::TPDO.with(Access::RPDO),
+        ir::AccessType::Wo | ir::AccessType::Rww => Access::RPDO,
+        _ => Access::TPDO,
+    }
+}
+
+/// Room for the PDOs of a simulated device.
+#[derive(Clone, Debug)]
+pub struct SimulatedPdos {
+    tpdos: Vec<Tpdo>,
+    rpdos: Vec<Rpdo>,
+    mapped: Vec<Mapped>,
+}
+
+impl Room for SimulatedPdos {
+    fn parts(&mut self) -> Parts<'_> {
+        Parts {
+            tpdos: &mut self.tpdos,
+            rpdos: &mut self.rpdos,
+            mapped: &mut self.mapped,
+        }
+    }
+}
+
 /// A device without an application.
 #[derive(Clone, Debug, Default)]
 pub struct Simulated {
@@ -94,6 +125,7 @@ pub struct Simulated {
     values: Vec<u8>,
     defaults: Vec<u8>,
     longest: usize,
+    dummy_usage: u8,
 }
 
 impl Simulated {
@@ -111,7 +143,15 @@ impl Simulated {
     #[must_use]
     pub fn of(dictionary: &ir::Dictionary) -> Self {
         let objects: Vec<Object> = dictionary.entries().map(Object::from).collect();
-        Self::new(&objects)
+        let bits = dictionary.dummies.iter().map(|data_type| 1 << data_type.index());
+        Self::new(&objects).with_dummies(bits.fold(0, |all, bit: u8| all | bit))
+    }
+
+    /// The device with these dummy entries: bit 1 for 0001h, up to bit 7 for 0007h.
+    #[must_use]
+    pub fn with_dummies(mut self, dummy_usage: u8) -> Self {
+        self.dummy_usage = dummy_usage;
+        self
     }
 
     /// Gives the object room among the values, and its extras.
@@ -205,6 +245,7 @@ fn widened(data_type: DataType, bytes: &[u8]) -> Vec<u8> {
 
 impl Device for Simulated {
     type Buffer = Vec<u8>;
+    type Pdos = SimulatedPdos;
 
     fn table(&self) -> Table<'_> {
         Table {
@@ -229,6 +270,27 @@ impl Device for Simulated {
 
     fn buffer(&self) -> Self::Buffer {
         vec![0; self.longest.max(8)]
+    }
+
+    fn pdos(&self) -> Self::Pdos {
+        let count = |indices: [std::ops::RangeInclusive<u16>; 2], is_meant: fn(u8) -> bool| {
+            let entries = self.places.iter();
+            let meant =
+                |entry: &&Entry| indices.iter().any(|indices| indices.contains(&entry.index)) && is_meant(entry.sub);
+            entries.filter(meant).count()
+        };
+        let [rpdos, tpdos] =
+            [0x1400..=0x15FF, 0x1800..=0x19FF].map(|range| count([range.clone(), range], |sub| sub == 1));
+        let mapped = count([0x1600..=0x17FF, 0x1A00..=0x1BFF], |sub| sub != 0);
+        SimulatedPdos {
+            tpdos: vec![Tpdo::EMPTY; tpdos],
+            rpdos: vec![Rpdo::EMPTY; rpdos],
+            mapped: vec![Mapped::EMPTY; mapped],
+        }
+    }
+
+    fn dummy_usage(&self) -> u8 {
+        self.dummy_usage
     }
 
     fn before_read(&mut self, _: Address) -> Result<(), AbortCode> {

@@ -246,3 +246,12 @@ fn two_devices_know_nothing_of_each_other() {
     assert_eq!((a.od.preset_value, b.od.preset_value), (5, 0));
     assert_eq!(a.buffer().len(), 100, "room for the longest string");
 }
+
+#[test]
+fn a_tpdo_asks_the_application_for_its_values() {
+    let mut bus = Bus::booted(device(), 1);
+    bus.send("000#0101");
+    bus.node().device_mut().od.position_value = 0x1122_3343;
+    assert!(bus.node().trigger_tpdo(1));
+    bus.advance(0).expect("181#44332211FFFF").silence();
+}

@@ -35,6 +35,11 @@ fn run<D: Device>(device: D, operation: &str, n: u32) {
                 assert!(black_box(node.poll(black_box(now))).is_none());
             }
         }
+        "tpdo_on_sync" => harness::sync_all(n, |id, data| {
+            let frame = black_box(Frame::new(CanId::standard(id.into())?, data)?);
+            node.receive(black_box(now), &frame);
+            node.poll(black_box(now))
+        }),
         // What sending the frames to nobody costs.
         "harness" => harness::exchange_all(operation, n, command, |id, data| frame(id, data)),
         _ => harness::exchange_all(operation, n, command, |id, data| {

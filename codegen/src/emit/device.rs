@@ -47,11 +47,15 @@ pub(super) fn declaration(plan: &Plan<'_>) -> Vec<SynItem> {
 
 fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynItem {
     let buffer = number(&plan.buffer().to_string());
+    let pdos = plan.pdos();
+    let [tpdos, rpdos, mapped] = [pdos.tpdos, pdos.rpdos, pdos.mapped].map(|count| number(&count.to_string()));
+    let dummy_usage = dummy_usage(pdos.dummy_usage);
     let read = reads.first(&quote!());
     let write = writes.first(&quote!(value: Value<'_>));
     parse_quote! {
         impl<H: Handlers> lexican_runtime::Device for Device<H> {
             type Buffer = [u8; #buffer];
+            type Pdos = lexican_runtime::pdo::Pdos<#tpdos, #rpdos, #mapped>;
 
             #[inline]
             fn table(&self) -> Table<'_> { TABLE }
@@ -68,10 +72,27 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
             #[inline]
             fn buffer(&self) -> Self::Buffer { [0; #buffer] }
 
+            #[inline]
+            fn pdos(&self) -> Self::Pdos { Self::Pdos::EMPTY }
+
+            #dummy_usage
+
             #read
             #write
         }
     }
+}
+
+/// Which dummy entries an RPDO may have; the runtime takes none for granted.
+fn dummy_usage(bits: u8) -> Option<ImplItem> {
+    let bits = number(&match bits {
+        0 => return None,
+        bits => format!("0x{bits:02X}"),
+    });
+    Some(parse_quote! {
+        #[inline]
+        fn dummy_usage(&self) -> u8 { #bits }
+    })
 }
 
 /// What did not fit into the first function of each kind.

@@ -4,6 +4,7 @@ mod item;
 mod kind;
 mod limits;
 mod options;
+mod pdos;
 mod pool;
 mod row;
 mod seeds;
@@ -14,6 +15,7 @@ use lexican_eds::ir::{Address, Dictionary};
 pub(crate) use item::Item;
 pub(crate) use kind::{Kind, Width};
 pub(crate) use options::Options;
+pub(crate) use pdos::Pdos;
 pub(crate) use pool::Pool;
 pub(crate) use row::{Extra, Place, Row, Slot};
 pub(crate) use seeds::Seeds;
@@ -103,6 +105,11 @@ impl<'a> Plan<'a> {
     /// Bytes of the struct.
     pub(crate) fn size(&self) -> usize {
         self.fields().iter().map(|item| item.size()).sum::<usize>() + self.padding()
+    }
+
+    /// The PDOs that there are objects for.
+    pub(crate) fn pdos(&self) -> Pdos {
+        Pdos::of(self.dictionary)
     }
 
     /// Bytes that the longest value needs on its way.

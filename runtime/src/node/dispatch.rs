@@ -12,16 +12,16 @@ pub(super) enum Service {
     Nmt,
     /// The SDO server: always eight bytes.
     Sdo([u8; 8]),
-    /// Nobody here.
-    None,
+    /// One whose identifier is configured, or nobody here.
+    Other,
 }
 
 /// The service that `frame` is for.
 #[inline]
 pub(super) fn service(frame: &Frame, node_id: NodeId) -> Service {
     match frame.data_id() {
-        Some(id) if id == CanId::sdo_request(node_id) => frame.full_data().map_or(Service::None, Service::Sdo),
+        Some(id) if id == CanId::sdo_request(node_id) => frame.full_data().map_or(Service::Other, Service::Sdo),
         Some(CanId::NMT) => Service::Nmt,
-        _ => Service::None,
+        _ => Service::Other,
     }
 }

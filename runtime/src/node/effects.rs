@@ -4,21 +4,28 @@ use super::pending::Pending;
 use crate::{
     emcy,
     od::{Device, Services, Value},
-    AbortCode, Address,
+    pdo, sync, AbortCode, Address,
 };
 
-/// Asks each service that has objects, and notes that they have changed.
-pub(super) struct Effects<'a> {
+/// Asks each service that has objects, and notes that they have changed. Not inlined: writes to other objects, the most,
+/// are not to pay for it.
+pub(super) struct Effects<'a, R> {
     pub(super) pending: &'a mut Pending,
+    pub(super) pdos: &'a mut pdo::Set<R>,
 }
 
-impl Services for Effects<'_> {
+impl<R: pdo::Room> Services for Effects<'_, R> {
+    #[inline(never)]
     fn before_write<D: Device>(&mut self, device: &D, address: Address, value: Value<'_>) -> Result<(), AbortCode> {
-        emcy::before_write(device, address, value)
+        emcy::before_write(device, address, value)?;
+        sync::before_write(device, address, value)?;
+        pdo::before_write(device, address, value)
     }
 
+    #[inline(never)]
     fn after_write<D: Device>(&mut self, device: &mut D, address: Address) {
         emcy::after_write(device, address);
+        self.pdos.mark(address.index);
         self.pending.add(Pending::CONFIGURATION);
     }
 }

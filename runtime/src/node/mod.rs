@@ -2,6 +2,7 @@
 
 mod dispatch;
 mod effects;
+mod exchange;
 mod pending;
 
 use dispatch::Service;
@@ -13,7 +14,7 @@ use crate::{
     heartbeat::{self, PRODUCER_HEARTBEAT_TIME},
     nmt,
     od::{self, Device, Reset, Value},
-    sdo,
+    pdo, sdo, sync,
     wire::{
         self,
         emcy::Emergency,
@@ -35,12 +36,21 @@ pub struct Node<D: Device> {
     nmt: nmt::Slave,
     emcy: emcy::Producer,
     heartbeat: heartbeat::Producer,
+    sync: sync::Producer,
+    sync_consumer: sync::Consumer,
+    pdos: pdo::Set<D::Pdos>,
+    /// What was last reported of RPDOs.
+    faults: pdo::Faults,
+    /// Whether the last SYNC had the wrong length.
+    is_sync_wrong: bool,
     sdo: sdo::Server<D::Buffer>,
     /// The SDO server's response, while [`Pending::SDO`].
     response: [u8; 8],
     pending: Pending,
     /// When the first timer of any service runs out.
     due: Instant,
+    /// The same but for the SDO server.
+    timers: Instant,
 }
 
 impl<D: Device> Node<D> {
@@ -50,16 +60,24 @@ impl<D: Device> Node<D> {
     pub fn new(mut device: D, node_id: NodeId) -> Self {
         od::resolve_node_id(&mut device, node_id);
         let buffer = device.buffer();
+        let mut pdos = pdo::Set::new(&device, device.pdos());
+        pdos.reset();
         Self {
             device,
             id: node_id,
             nmt: nmt::Slave::new(),
             emcy: emcy::Producer::new(),
             heartbeat: heartbeat::Producer::new(),
+            sync: sync::Producer::new(),
+            sync_consumer: sync::Consumer::default(),
+            pdos,
+            faults: pdo::Faults::default(),
+            is_sync_wrong: false,
             sdo: sdo::Server::new(buffer),
             response: [0; 8],
             pending: Pending::BOOT_UP,
             due: Instant::NEVER,
+            timers: Instant::NEVER,
         }
     }
 
@@ -69,15 +87,20 @@ impl<D: Device> Node<D> {
         match dispatch::service(frame, self.id) {
             Service::Sdo(request) => self.receive_sdo(now, request),
             Service::Nmt => self.receive_nmt(frame),
-            Service::None => {}
+            Service::Other => self.receive_other(now, frame),
         }
     }
 
     /// The next frame to send at `now`; `None` when there is nothing (more) to say.
     #[inline]
     pub fn poll(&mut self, now: Instant) -> Option<Frame> {
-        if self.pending == Pending::NOTHING && now < self.due {
-            return None;
+        if now < self.due {
+            match self.pending {
+                Pending::NOTHING => return None,
+                Pending::SDO => return Some(self.send_response()),
+                Pending::PDO => return self.send_pdo(now),
+                _ => {}
+            }
         }
         self.work(now)
     }
@@ -120,7 +143,8 @@ impl<D: Device> Node<D> {
         &self.device
     }
 
-    /// The device, to change. The producer heartbeat time takes effect at the next [`Node::poll`], however it was written.
+    /// The device, to change. What configures a service takes effect at the next [`Node::poll`], however it was written,
+    /// but for the parameters of PDOs: use [`Node::write`] there.
     #[inline]
     pub fn device_mut(&mut self) -> &mut D {
         self.pending.add(Pending::CONFIGURATION);
@@ -147,6 +171,7 @@ impl<D: Device> Node<D> {
     pub fn write(&mut self, address: Address, data: &[u8]) -> Result<(), AbortCode> {
         let mut effects = Effects {
             pending: &mut self.pending,
+            pdos: &mut self.pdos,
         };
         od::write(&mut self.device, &mut effects, address, data)
     }
@@ -179,7 +204,11 @@ impl<D: Device> Node<D> {
         if !self.nmt.serves_sdo() {
             self.end_transfer();
         }
+        if !self.nmt.exchanges_pdos() {
+            self.end_exchange();
+        }
         self.tell_emergencies();
+        self.pending.add(Pending::CONFIGURATION);
     }
 
     #[inline]
@@ -191,12 +220,13 @@ impl<D: Device> Node<D> {
         self.pending.remove(Pending::SDO);
         let mut effects = Effects {
             pending: &mut self.pending,
+            pdos: &mut self.pdos,
         };
         if let Some(response) = self.sdo.receive(now, &mut self.device, &mut effects, request) {
             self.response = response;
             self.pending.add(Pending::SDO);
         }
-        self.schedule();
+        self.due = self.sdo.due().min(self.timers);
     }
 
     fn receive_nmt(&mut self, frame: &Frame) {
@@ -213,6 +243,10 @@ impl<D: Device> Node<D> {
         self.end_transfer();
         self.emcy.reset(&mut self.device);
         self.heartbeat = heartbeat::Producer::new();
+        self.sync = sync::Producer::new();
+        self.pdos.reset();
+        self.faults = pdo::Faults::default();
+        self.is_sync_wrong = false;
         self.due = Instant::NEVER;
         self.pending = Pending::BOOT_UP;
     }
@@ -233,6 +267,7 @@ impl<D: Device> Node<D> {
 
     /// What [`Node::poll`] does when there is something to do. The frames come in the order of their CAN-IDs, as the bus
     /// would let them through.
+    #[inline(never)]
     fn work(&mut self, now: Instant) -> Option<Frame> {
         if self.pending.take(Pending::BOOT_UP) {
             return Some(self.boot_up(now));
@@ -243,13 +278,23 @@ impl<D: Device> Node<D> {
         if now >= self.due {
             self.expire(now);
         }
+        if self.pending.take(Pending::SYNC) {
+            if let Some(frame) = self.send_sync(now) {
+                return Some(frame);
+            }
+        }
         if self.pending.take(Pending::EMCY) {
             if let Some(frame) = self.send_emergency(now) {
                 return Some(frame);
             }
         }
-        if self.pending.take(Pending::SDO) {
-            return Some(Frame::full(CanId::sdo_response(self.id), self.response));
+        if self.pending.has(Pending::PDO) {
+            if let Some(frame) = self.send_pdo(now) {
+                return Some(frame);
+            }
+        }
+        if self.pending.has(Pending::SDO) {
+            return Some(self.send_response());
         }
         if self.pending.take(Pending::HEARTBEAT) {
             return Some(wire::heartbeat::emit(self.id, self.nmt.state()));
@@ -264,9 +309,17 @@ impl<D: Device> Node<D> {
         self.nmt.booted();
         let period = self.heartbeat_time();
         self.heartbeat.start(now, period);
+        self.configure_exchange(now);
         self.tell_emergencies();
         self.schedule();
         frame
+    }
+
+    /// The SDO server's response.
+    #[inline]
+    fn send_response(&mut self) -> Frame {
+        self.pending.remove(Pending::SDO);
+        Frame::full(CanId::sdo_response(self.id), self.response)
     }
 
     /// The next emergency message, unless the inhibit time holds it back.
@@ -283,6 +336,7 @@ impl<D: Device> Node<D> {
     fn configure(&mut self, now: Instant) {
         let period = self.heartbeat_time();
         self.heartbeat.configure(now, period);
+        self.configure_exchange(now);
         self.schedule();
     }
 
@@ -307,12 +361,15 @@ impl<D: Device> Node<D> {
             self.emcy.wake();
             self.tell_emergencies();
         }
+        self.expire_exchange(now);
         self.schedule();
     }
 
     /// Finds the first timer to run out.
     #[inline]
     fn schedule(&mut self) {
-        self.due = self.sdo.due().min(self.heartbeat.due()).min(self.emcy.due());
+        let timers = self.heartbeat.due().min(self.emcy.due());
+        self.timers = timers.min(self.sync.due()).min(self.pdos.due());
+        self.due = self.sdo.due().min(self.timers);
     }
 }

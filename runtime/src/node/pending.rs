@@ -10,12 +10,16 @@ impl Pending {
     pub(super) const BOOT_UP: Self = Self(0x0001);
     /// No frame: objects of the services may have changed, and are to be looked at.
     pub(super) const CONFIGURATION: Self = Self(0x0002);
+    /// SYNC.
+    pub(super) const SYNC: Self = Self(0x0004);
     /// Emergency messages.
-    pub(super) const EMCY: Self = Self(0x0004);
+    pub(super) const EMCY: Self = Self(0x0008);
+    /// TPDOs.
+    pub(super) const PDO: Self = Self(0x0010);
     /// The SDO server's response.
-    pub(super) const SDO: Self = Self(0x0008);
+    pub(super) const SDO: Self = Self(0x0020);
     /// A heartbeat.
-    pub(super) const HEARTBEAT: Self = Self(0x0010);
+    pub(super) const HEARTBEAT: Self = Self(0x0040);
 
     #[inline]
     pub(super) fn add(&mut self, other: Self) {
@@ -25,6 +29,12 @@ impl Pending {
     #[inline]
     pub(super) fn remove(&mut self, other: Self) {
         self.0 &= !other.0;
+    }
+
+    /// Whether `other` is in it.
+    #[inline]
+    pub(super) fn has(self, other: Self) -> bool {
+        self.0 & other.0 != 0
     }
 
     /// Whether `other` was in it; now it is not.

@@ -1,7 +1,7 @@
 //! What the services need of a device.
 
 use super::{Table, Value};
-use crate::{AbortCode, Address};
+use crate::{pdo::Room, AbortCode, Address};
 
 /// A device: the dictionary that was generated for it, and the application behind it.
 ///
@@ -12,6 +12,9 @@ pub trait Device {
     /// Room for the longest string among the values, `[u8; N]`: an SDO transfer is collected in it, so that a string is
     /// never stored or sent half old, half new. At least 8 bytes, for the longest number.
     type Buffer: AsRef<[u8]> + AsMut<[u8]>;
+
+    /// Room for the PDOs that the dictionary has objects for: [`Pdos`](crate::pdo::Pdos).
+    type Pdos: Room;
 
     /// The dictionary's entries.
     fn table(&self) -> Table<'_>;
@@ -27,6 +30,15 @@ pub trait Device {
 
     /// An empty buffer.
     fn buffer(&self) -> Self::Buffer;
+
+    /// Room for the PDOs, not used yet.
+    fn pdos(&self) -> Self::Pdos;
+
+    /// The data types that may stand in an RPDO's mapping for bits that mean nothing (`[DummyUsage]` of an EDS): bit 1 for
+    /// 0001h, up to bit 7 for 0007h. None unless overridden.
+    fn dummy_usage(&self) -> u8 {
+        0
+    }
 
     /// Asks the application to bring the value at `address` up to date in [`Device::values_mut`] before it is read.
     ///

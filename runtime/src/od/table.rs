@@ -93,6 +93,15 @@ impl Table<'_> {
         (entry.index == address.index && entry.sub == address.sub && entry.data_type.0 != 0).then_some(entry)
     }
 
+    /// Where in [`Table::entries`] the one at `address` stands, if the dictionary has one.
+    pub(crate) fn position(&self, address: Address) -> Option<usize> {
+        let key = lookup_key(address);
+        let seed = *self.seeds.get(bucket(key, self.seeds.len()))?;
+        let place = slot(key, seed, self.entries.len());
+        let entry = self.entries.get(place)?;
+        (entry.address() == address && entry.data_type.0 != 0).then_some(place)
+    }
+
     /// Where the value of `entry` stands, and the [`Extra::detail`] of it (0 where it has none); `None` for an entry that
     /// is not of this table.
     #[inline]

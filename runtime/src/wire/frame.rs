@@ -52,6 +52,17 @@ impl Frame {
         }
     }
 
+    /// A data frame of `length` bytes, at most 8: those of `word`, the lowest first, the rest of which is to be 0.
+    #[inline]
+    #[must_use]
+    pub const fn from_word(id: CanId, word: u64, length: u8) -> Self {
+        Self {
+            header: id.bits(),
+            length: if length > 8 { 8 } else { length },
+            data: word.to_le_bytes(),
+        }
+    }
+
     /// A remote frame that asks for `length` bytes; `None` above 8.
     #[must_use]
     pub const fn remote(id: CanId, length: u8) -> Option<Self> {
@@ -88,6 +99,13 @@ impl Frame {
     pub fn data(&self) -> &[u8] {
         let length = if self.is_remote() { 0 } else { self.length() };
         self.data.get(..length).unwrap_or(&self.data)
+    }
+
+    /// The data as a number, the first byte the lowest; 0 beyond the length.
+    #[inline]
+    #[must_use]
+    pub const fn word(&self) -> u64 {
+        u64::from_le_bytes(self.data)
     }
 
     /// The identifier of a data frame; `None` of a remote one.

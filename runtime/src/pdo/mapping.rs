@@ -1,0 +1,251 @@
+//! Which objects a PDO carries: entries as a client writes them, and what is kept of them.
+
+use super::{parameter_u8, Direction};
+use crate::{
+    od::{self, Access, DataType, Device, Entry},
+    AbortCode, Address,
+};
+
+/// Bits that a PDO has room for.
+const PDO_BITS: u16 = 64;
+
+/// A mapped object, resolved: where its row stands in the table, where its value stands, and how many bits of the PDO are
+/// its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mapped {
+    place: u16,
+    slot: u16,
+    bits: u8,
+    /// Whether its value is found at `slot` among the device's, and the application need not be asked.
+    is_plain: bool,
+}
+
+impl Mapped {
+    /// Nothing: bits that mean nothing.
+    pub const EMPTY: Self = Self {
+        place: Self::DUMMY,
+        slot: 0,
+        bits: 0,
+        is_plain: false,
+    };
+
+    /// Stands for no row.
+    const DUMMY: u16 = u16::MAX;
+
+    /// Resolves an entry of a mapping parameter: index, sub-index and length in bits, from high to low.
+    ///
+    /// # Errors
+    /// * [`AbortCode::NO_SUCH_OBJECT`]
+    /// * [`AbortCode::NOT_MAPPABLE`] in this direction, or with this length
+    pub(super) fn resolve<D: Device>(device: &D, direction: Direction, value: u32) -> Result<Self, AbortCode> {
+        let [bits, sub, i0, i1] = value.to_le_bytes();
+        let address = Address::new(u16::from_le_bytes([i0, i1]), sub);
+        if let (Direction::Receive, Some(data_type)) = (direction, dummy(device, address)) {
+            check_length(data_type, bits)?;
+            return Ok(Self { bits, ..Self::EMPTY });
+        }
+        let table = device.table();
+        let place = table.position(address).ok_or(AbortCode::NO_SUCH_OBJECT)?;
+        let entry = table.entries.get(place).ok_or(AbortCode::NO_SUCH_OBJECT)?;
+        let needed = match direction {
+            Direction::Receive => Access::RPDO,
+            Direction::Transmit => Access::TPDO,
+        };
+        if !entry.access.has(needed) {
+            return Err(AbortCode::NOT_MAPPABLE);
+        }
+        check_length(entry.data_type, bits)?;
+        let asks = entry.access.has(Access::CONSTANT) || entry.access.has(Access::READ_HANDLER);
+        let (slot, _) = table.locate(*entry).ok_or(AbortCode::NOT_MAPPABLE)?;
+        Ok(Self {
+            place: u16::try_from(place).map_err(|_| AbortCode::NOT_MAPPABLE)?,
+            slot: u16::try_from(slot).map_err(|_| AbortCode::NOT_MAPPABLE)?,
+            bits,
+            is_plain: !asks && cfg!(target_endian = "little"),
+        })
+    }
+
+    /// Its row; `None` for a dummy.
+    #[inline]
+    fn entry<D: Device>(self, device: &D) -> Option<Entry> {
+        device.table().entries.get(usize::from(self.place)).copied()
+    }
+
+    /// Its bits, all set.
+    #[inline]
+    const fn mask(self) -> u64 {
+        u64::MAX.wrapping_shr(64u32.wrapping_sub(self.bits as u32))
+    }
+
+    /// The value of a plain one: eight bytes from its slot on, of which its bits are the lowest. `None` when there are not
+    /// as many.
+    #[inline]
+    fn load_plain<D: Device>(self, device: &D) -> Option<u64> {
+        let bytes = device.values().get(usize::from(self.slot)..)?.first_chunk()?;
+        self.is_plain.then(|| u64::from_le_bytes(*bytes))
+    }
+
+    /// The value now, brought up to date by the application; when that refuses, as it was.
+    #[inline]
+    fn load<D: Device>(self, device: &mut D) -> u64 {
+        match self.load_plain(device) {
+            Some(bits) => bits & self.mask(),
+            None => self.load_entry(device),
+        }
+    }
+
+    /// The same, step by step.
+    #[inline(never)]
+    fn load_entry<D: Device>(self, device: &mut D) -> u64 {
+        let Some(entry) = self.entry(device) else { return 0 };
+        if entry.access.has(Access::READ_HANDLER) {
+            let _ = device.before_read(entry.address());
+        }
+        od::load(device, entry).map_or(0, od::Value::bits) & self.mask()
+    }
+
+    /// Stores the low bits of `word`, if limits and application allow it.
+    fn store<D: Device>(self, device: &mut D, word: u64) {
+        if let Some(entry) = self.entry(device) {
+            let _ = od::store_number(device, &mut (), entry, word & self.mask());
+        }
+    }
+}
+
+/// Refuses a length in bits that a value of `data_type` does not have.
+fn check_length(data_type: DataType, bits: u8) -> Result<(), AbortCode> {
+    let whole = 8 * data_type.length();
+    if usize::from(bits) == whole && whole != 0 || data_type == DataType::BOOLEAN && bits == 1 {
+        Ok(())
+    } else {
+        Err(AbortCode::NOT_MAPPABLE)
+    }
+}
+
+/// The data type that a dummy entry stands for (CiA 301, 7.4.7), where the device allows it.
+fn dummy<D: Device>(device: &D, address: Address) -> Option<DataType> {
+    let number = u8::try_from(address.index).ok()?;
+    let allowed = matches!(number, 1..=7) && address.sub == 0 && device.dummy_usage() >> number & 1 != 0;
+    allowed.then_some(DataType(number))
+}
+
+/// The mapping of a PDO: a part of the room for all of them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mapping {
+    first: u16,
+    room: u8,
+    count: u8,
+    bits: u8,
+}
+
+impl Mapping {
+    pub(super) const EMPTY: Self = Self {
+        first: 0,
+        room: 0,
+        count: 0,
+        bits: 0,
+    };
+
+    /// A mapping that begins at `first` in the room, and has place for as many objects as 1600h or 1A00h has sub-indices.
+    pub(super) fn new<D: Device>(device: &D, index: u16, first: u16) -> Self {
+        Self {
+            first,
+            room: capacity(device, index),
+            ..Self::EMPTY
+        }
+    }
+
+    /// Where in the room the next mapping begins.
+    pub(super) const fn end(self) -> u16 {
+        self.first.saturating_add(self.room as u16)
+    }
+
+    /// How many bytes a PDO has that carries it.
+    #[inline]
+    pub(super) const fn length(self) -> u8 {
+        self.bits.div_ceil(8)
+    }
+
+    /// Whether it has objects.
+    pub(super) const fn is_active(self) -> bool {
+        self.count != 0
+    }
+
+    /// Takes what the parameter at `index` says; if that cannot be mapped, nothing is.
+    pub(super) fn configure<D: Device>(&mut self, device: &D, direction: Direction, index: u16, pool: &mut [Mapped]) {
+        (self.count, self.bits) = (0, 0);
+        let count = parameter_u8(device, index, 0);
+        let Ok(bits) = check(device, direction, index, count) else {
+            return;
+        };
+        for (sub, place) in (1..=count).zip(pool.iter_mut().skip(usize::from(self.first))) {
+            *place = resolve_at(device, direction, index, sub).unwrap_or(Mapped::EMPTY);
+        }
+        (self.count, self.bits) = (count, bits);
+    }
+
+    /// The mapped objects.
+    #[inline]
+    fn objects(self, pool: &[Mapped]) -> &[Mapped] {
+        let first = usize::from(self.first);
+        pool.get(first..first + usize::from(self.count)).unwrap_or(&[])
+    }
+
+    /// The objects' values, the first one in the low bits.
+    #[inline]
+    pub(super) fn collect<D: Device>(self, device: &mut D, pool: &[Mapped]) -> u64 {
+        let (mut word, mut at) = (0, 0);
+        for mapped in self.objects(pool) {
+            word |= mapped.load(device).wrapping_shl(at);
+            at += u32::from(mapped.bits);
+        }
+        word
+    }
+
+    /// Gives the objects their values.
+    pub(super) fn distribute<D: Device>(self, device: &mut D, pool: &[Mapped], word: u64) {
+        let mut at = 0;
+        for mapped in self.objects(pool) {
+            mapped.store(device, word.wrapping_shr(at));
+            at += u32::from(mapped.bits);
+        }
+    }
+
+    /// Whether the object at `address` is in it.
+    pub(super) fn contains<D: Device>(self, device: &D, pool: &[Mapped], address: Address) -> bool {
+        let place = device.table().position(address);
+        let mut objects = self.objects(pool).iter();
+        place.is_some_and(|place| objects.any(|mapped| usize::from(mapped.place) == place))
+    }
+}
+
+/// How many objects the parameter at `index` has place for: as many as it has sub-indices that follow one another.
+fn capacity<D: Device>(device: &D, index: u16) -> u8 {
+    let table = device.table();
+    let missing = (1..=64).find(|&sub| table.find(Address::new(index, sub)).is_none());
+    missing.map_or(64, |sub| sub - 1)
+}
+
+/// Resolves the first `count` entries of the parameter at `index`; gives how many bits they have together.
+///
+/// # Errors
+/// * [`AbortCode::PDO_TOO_LONG`] for more entries than there are, or more than 64 bits
+/// * what [`Mapped::resolve`] refuses with
+pub(super) fn check<D: Device>(device: &D, direction: Direction, index: u16, count: u8) -> Result<u8, AbortCode> {
+    if count > capacity(device, index) {
+        return Err(AbortCode::PDO_TOO_LONG);
+    }
+    let mut bits = 0u16;
+    for sub in 1..=count {
+        bits += u16::from(resolve_at(device, direction, index, sub)?.bits);
+        if bits > PDO_BITS {
+            return Err(AbortCode::PDO_TOO_LONG);
+        }
+    }
+    u8::try_from(bits).map_err(|_| AbortCode::PDO_TOO_LONG)
+}
+
+fn resolve_at<D: Device>(device: &D, direction: Direction, index: u16, sub: u8) -> Result<Mapped, AbortCode> {
+    let value = od::number(device, Address::new(index, sub)).and_then(|value| u32::try_from(value).ok());
+    Mapped::resolve(device, direction, value.unwrap_or(0))
+}
