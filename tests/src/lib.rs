@@ -8,6 +8,7 @@ pub mod dialogue;
 pub mod generated;
 pub mod line;
 pub mod network;
+pub mod python;
 pub mod sample;
 pub mod sdo_client;
 pub mod simulated;

@@ -3,13 +3,14 @@
 //! `docs/oracle-python-canopen.md` lists the known differences by class, with the reason and the number of each. The
 //! comparison itself is `tests/oracle/python_canopen.py`.
 
+use std::fs;
 use std::path::Path;
 use std::process::Command;
-use std::{env, fs};
 
 use lexican_eds::document::Problem;
 use lexican_eds::ir::{Dictionary, Entry, NodeId, Value};
-use lexican_tests::corpus::{CorpusFile, corpus, notice};
+use lexican_tests::corpus::{CorpusFile, corpus};
+use lexican_tests::python;
 use serde_json::{Value as Json, json};
 
 /// The node-ID that `$NODEID` stands for in the comparison.
@@ -17,9 +18,7 @@ const NODE_ID: u8 = 1;
 
 #[test]
 fn python_canopen_reads_the_corpus_as_we_do_but_for_the_known_differences() {
-    let Some(python) = python_with_canopen() else {
-        return notice("skipped: no Python with canopen 2.4.1 (set LEXICAN_PYTHON to one that has it)");
-    };
+    let Some(python) = python::with_canopen() else { return };
     let Some(files) = corpus("files") else { return };
     let readings: String = files.into_iter().filter_map(line).collect();
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -44,15 +43,6 @@ fn line(file: CorpusFile) -> Option<String> {
     }
     let line = json!({"path": file.path, "entries": entries(&reading.dictionary)});
     Some(format!("{line}\n"))
-}
-
-/// The Python that CI names, or the machine's, if it has the package.
-fn python_with_canopen() -> Option<String> {
-    let named = env::var("LEXICAN_PYTHON").ok();
-    let python = named.unwrap_or_else(|| "python3".to_owned());
-    let check = "import canopen, sys; sys.exit(canopen.__version__ != '2.4.1')";
-    let status = Command::new(&python).args(["-c", check]).output().ok()?.status;
-    status.success().then_some(python)
 }
 
 fn entries(dictionary: &Dictionary) -> Vec<Json> {

@@ -124,7 +124,7 @@ fn a_dump_that_is_none_is_refused_with_its_place_and_the_cure() {
     );
     assert_eq!(
         refused("\u{7F}ELF"),
-        "error: node5.json:1:1: this is not a dump: it does not begin with `{`; name a file that `lexican dump` wrote\n"
+        "error: node5.json:1:1: this is not a dump: it does not begin with `{`; name a dump, as docs/dump-format.md describes it\n"
     );
     assert_eq!(
         refused(&good[..good.len() / 2]),
@@ -140,7 +140,7 @@ fn a_dump_that_is_none_is_refused_with_its_place_and_the_cure() {
     );
     assert_eq!(
         refused("{ \"jsonrpc\": 2 }"),
-        "error: node5.json:1:1: this JSON is not a dump: it has no \"format\": \"lexican-dump\"; name a file that `lexican dump` wrote\n"
+        "error: node5.json:1:1: this JSON is not a dump: it has no \"format\": \"lexican-dump\"; name a dump, as docs/dump-format.md describes it\n"
     );
 }
 

@@ -80,7 +80,7 @@ fn refusal(header: &Header) -> Option<(&'static str, String, &'static str)> {
     }
 }
 
-const NAME_A_DUMP: &str = "name a file that `lexican dump` wrote";
+const NAME_A_DUMP: &str = "name a dump, as docs/dump-format.md describes it";
 
 /// Line and column, from 1, of the first `key`.
 fn position_of(text: &[u8], key: &str) -> (usize, usize) {
