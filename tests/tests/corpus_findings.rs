@@ -7,7 +7,7 @@ use lexican_eds::{
     diagnostic::Diagnostic,
     rules::{self, Levels},
 };
-use lexican_tests::corpus::{CorpusFile, corpus};
+use lexican_tests::corpus::{CorpusFile, corpus, notice};
 
 fn check(file: CorpusFile) -> (Reading, Vec<Diagnostic>) {
     let reading = lexican_eds::read(file.name, file.bytes);
@@ -55,20 +55,37 @@ fn a_file_of_another_format_has_one_finding_that_says_what_it_is() {
     }
 }
 
-/// CiA's own checker says W21 of that line; we say EDS021.
+/// What stands for the official checker's numbers: an object that is in a PDO is one finding here (PDO007), two there (W4, W5).
+const STANDS_FOR: [(&str, &[&str]); 3] = [("EDS021", &["W21"]), ("PDO006", &["W4"]), ("PDO007", &["W4", "W5"])];
+
+/// CiA's own checker finds 43 places in that file.
 #[test]
-fn the_official_checkers_unknown_keyword_is_found_at_its_line() {
+fn the_official_checkers_places_are_found_and_no_others() {
     let oracle = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/oracle/demoDevice.canchkeds.tsv");
-    let (Some(files), Ok(verdict)) = (corpus("files"), fs::read_to_string(oracle)) else {
+    let (Some(files), Ok(verdict)) = (corpus("files"), fs::read_to_string(&oracle)) else {
+        notice(&format!("skipped: no verdict at {}", oracle.display()));
         return;
     };
-    let unknown = verdict.lines().map(|line| line.split('\t').collect::<Vec<_>>());
-    let unknown = unknown.filter(|columns| columns.get(1) == Some(&"W21"));
-    let expected: Vec<u32> = unknown.map(|columns| columns[0].parse().unwrap()).collect();
-    let file = "CANopenNode__CANopenDemo__demoDevice.eds";
-    let file = files.into_iter().find(|other| other.name == file);
+    let lines = verdict.lines().skip(1).map(|line| line.split('\t').collect::<Vec<_>>());
+    let mut expected: Vec<(u32, &str)> = lines.map(|columns| (columns[0].parse().unwrap(), columns[1])).collect();
+    expected.sort_unstable();
+    let file = files
+        .into_iter()
+        .find(|file| file.name == "CANopenNode__CANopenDemo__demoDevice.eds");
     let (reading, found) = check(file.unwrap());
-    let ours = found.iter().filter(|diagnostic| diagnostic.code.as_str() == "EDS021");
-    let lines = ours.map(|diagnostic| reading.document.source().line_column(diagnostic.span).line);
-    assert_eq!(lines.collect::<Vec<_>>(), expected);
+    assert_eq!(expected.len(), 43);
+    assert_eq!(places(&reading, &found), expected);
+}
+
+/// Line and the official checker's number of each finding that it would have as well.
+fn places(reading: &Reading, found: &[Diagnostic]) -> Vec<(u32, &'static str)> {
+    let source = reading.document.source();
+    let places = found.iter().flat_map(|diagnostic| {
+        let line = source.line_column(diagnostic.span).line;
+        let stands = STANDS_FOR.iter().filter(|(code, _)| *code == diagnostic.code.as_str());
+        stands.flat_map(move |(_, numbers)| numbers.iter().map(move |number| (line, *number)))
+    });
+    let mut places: Vec<(u32, &str)> = places.collect();
+    places.sort_unstable();
+    places
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::{Family, Rule, all, families};
+use super::{Family, Rule, all, canchkeds, families};
 
 /// One rule's page: what `lexican explain CODE` prints.
 #[must_use]
@@ -21,6 +21,7 @@ pub fn manual() -> String {
     for family in families() {
         text.push_str(&table(family));
     }
+    text.push_str(&canchkeds::table());
     for rule in all() {
         let _ = write!(text, "\n{}", below(&page(rule)));
     }

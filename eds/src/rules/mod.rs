@@ -13,12 +13,16 @@
 //!
 //! `cargo test -p lexican-tests --test rules` then says what is still missing.
 
+mod canchkeds;
+mod com;
+mod dev;
 mod dmp;
 mod eds;
 mod ini;
 mod levels;
 mod manual;
 mod obj;
+mod pdo;
 mod quote;
 mod registry;
 mod report;

@@ -1,6 +1,6 @@
 //! The one table of rules, in the order of their codes. A code that dies is not given again: it moves to [`RETIRED`].
 
-use super::{Rule, dmp, eds, ini, obj};
+use super::{Rule, com, dev, dmp, eds, ini, obj, pdo};
 
 /// Rules that look at the same thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,6 +24,18 @@ pub(super) const FAMILIES: &[Family] = &[
     Family {
         letters: "OBJ",
         title: "the objects: types, access, limits, values",
+    },
+    Family {
+        letters: "COM",
+        title: "the communication objects of CiA 301",
+    },
+    Family {
+        letters: "PDO",
+        title: "the PDOs: what is mapped, when it is sent",
+    },
+    Family {
+        letters: "DEV",
+        title: "the device: `[DeviceInfo]`, held against the objects",
     },
     Family {
         letters: "DMP",
@@ -100,6 +112,41 @@ const RULES: &[Rule] = &[
     Rule::dictionary::<obj::InvertedReadOnlyLimits>(),
     Rule::model::<obj::NamedNumber>(),
     Rule::model::<obj::AbbreviatedAccessType>(),
+    Rule::dictionary::<com::MissingMandatoryObject>(),
+    Rule::dictionary::<com::WrongStandardType>(),
+    Rule::dictionary::<com::RestrictedCanId>(),
+    Rule::dictionary::<com::DuplicateCobId>(),
+    Rule::reading::<com::WrongStandardCode>(),
+    Rule::dictionary::<com::WritableStandardObject>(),
+    Rule::dictionary::<com::WrongHighestSubIndex>(),
+    Rule::dictionary::<pdo::OversizedMapping>(),
+    Rule::dictionary::<pdo::UnmappableObject>(),
+    Rule::dictionary::<pdo::HalfAPdo>(),
+    Rule::dictionary::<pdo::AbsentMappedObject>(),
+    Rule::dictionary::<pdo::WrongDirection>(),
+    Rule::dictionary::<pdo::UndirectedObject>(),
+    Rule::dictionary::<pdo::UndirectedMappedObject>(),
+    Rule::dictionary::<pdo::WrongMappedLength>(),
+    Rule::dictionary::<pdo::UnmappableDataType>(),
+    Rule::dictionary::<pdo::MappingGap>(),
+    Rule::dictionary::<pdo::EmptyMappingEntry>(),
+    Rule::dictionary::<pdo::MixedMappingAccess>(),
+    Rule::dictionary::<pdo::DummyInTpdo>(),
+    Rule::dictionary::<pdo::DisabledDummy>(),
+    Rule::reading::<pdo::NeedlessGranularity>(),
+    Rule::reading::<pdo::ZeroGranularity>(),
+    Rule::dictionary::<pdo::TooFineMapping>(),
+    Rule::reading::<pdo::TooFineDummy>(),
+    Rule::dictionary::<pdo::ReservedTransmissionType>(),
+    Rule::dictionary::<pdo::UngroupedMultiplexedPdo>(),
+    Rule::dictionary::<pdo::WrongMappingCount>(),
+    Rule::dictionary::<pdo::IdleMapping>(),
+    Rule::dictionary::<pdo::ContraryDirection>(),
+    Rule::reading::<dev::WrongPdoCount>(),
+    Rule::reading::<dev::WrongIdentity>(),
+    Rule::reading::<dev::WrongSerialNumber>(),
+    Rule::dictionary::<dev::WrongNumberOfPdos>(),
+    Rule::reading::<dev::IncompleteLssAddress>(),
     Rule::dump::<dmp::MissingObject>(),
     Rule::dump::<dmp::UndeclaredObject>(),
     Rule::dump::<dmp::WrongLength>(),
