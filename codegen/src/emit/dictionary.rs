@@ -77,10 +77,13 @@ fn defaults(plan: &Plan<'_>) -> ImplItem {
     if let Some(length) = padding(plan) {
         value.fields.push(field_value("_padding", parse_quote!([0; #length])));
     }
-    parse_quote! {
+    let mut defaults: syn::ImplItemConst = parse_quote! {
         /// The values after power-on, with 0 for `$NODEID`.
-        pub const DEFAULTS: Self = #value;
-    }
+        pub const DEFAULTS: Self = Self {};
+    };
+    // Put in afterwards: so it is not taken apart and parsed again.
+    defaults.expr = Expr::Struct(value);
+    ImplItem::Const(defaults)
 }
 
 fn initialized(item: &Item<'_>) -> FieldValue {

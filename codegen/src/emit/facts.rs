@@ -141,11 +141,7 @@ fn elements(item: &Item<'_>) -> Vec<String> {
 
 /// `text` in backticks on one line, whatever is in it: no Markdown, no HTML, nothing that turns the reading direction.
 pub(crate) fn quoted(text: &str) -> String {
-    let visible: String = text
-        .chars()
-        .map(|c| if c.is_control() { ' ' } else { c })
-        .flat_map(escape_invisible)
-        .collect();
+    let visible = show_invisible(text);
     let line = visible.split_whitespace().collect::<Vec<_>>().join(" ");
     if line.is_empty() {
         return "(no name)".to_owned();
@@ -156,15 +152,18 @@ pub(crate) fn quoted(text: &str) -> String {
     format!("{fence}{pad}{line}{pad}{fence}")
 }
 
-/// `c` as it is, or what it is called if it cannot be seen.
-fn escape_invisible(c: char) -> impl Iterator<Item = char> {
-    let shown = matches!(c, '\'' | '"' | '\\') || c.escape_debug().count() == 1;
-    let (plain, escaped) = if shown {
-        (Some(c), None)
-    } else {
-        (None, Some(c.escape_unicode()))
-    };
-    plain.into_iter().chain(escaped.into_iter().flatten())
+/// `text` with what cannot be seen in it by its number, and spaces for line ends and other control characters.
+fn show_invisible(text: &str) -> String {
+    let mut visible = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            ' '..='~' => visible.push(c),
+            _ if c.is_whitespace() || c.is_control() => visible.push(' '),
+            _ if c.escape_debug().count() == 1 => visible.push(c),
+            _ => visible.extend(c.escape_unicode()),
+        }
+    }
+    visible
 }
 
 /// The data types that have no fixed length.

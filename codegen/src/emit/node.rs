@@ -1,9 +1,9 @@
 //! The few syntax nodes that are built by hand, because a thousand objects need thousands of them: a node built costs
 //! a tenth of one parsed from tokens, which shows in a build script that is compiled without optimisation.
 
-use proc_macro2::{Literal, Span};
+use proc_macro2::Span;
 use syn::{
-    AttrStyle, Attribute, Expr, ExprLit, Field, FieldModifiers, FieldValue, Ident, Lit, LitInt, Member, Meta,
+    AttrStyle, Attribute, Expr, ExprLit, Field, FieldModifiers, FieldValue, Ident, Lit, LitInt, LitStr, Member, Meta,
     MetaNameValue, Path, Token, Type, TypePath, Visibility,
 };
 
@@ -40,7 +40,7 @@ pub(super) fn doc(line: &str) -> Attribute {
         meta: Meta::NameValue(MetaNameValue {
             path: path("doc"),
             eq_token: Token![=](Span::call_site()),
-            value: literal(Lit::new(Literal::string(&text))),
+            value: literal(Lit::Str(LitStr::new(&text, Span::call_site()))),
         }),
     }
 }
