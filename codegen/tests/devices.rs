@@ -76,6 +76,16 @@ fn cia406_of_many_channels() {
 }
 
 #[test]
+fn handlers_beyond_one_function() {
+    check("eds/devices/wv58mr.eds", |builder| {
+        builder
+            .module_name("wv58mr_handled")
+            .handle_writes([0x1005, 0x100C, 0x100D, 0x1014, 0x1017, 0x1800, 0x1801, 0x2001, 0x2003, 0x2004])
+            .handle_writes([0x6000, 0x6001, 0x6002, 0x6003, 0x6031, 0x6200])
+    });
+}
+
+#[test]
 fn every_kind_of_object() {
     check("tests/fixtures/codegen/every_kind.eds", |builder| {
         builder

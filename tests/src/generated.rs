@@ -8,4 +8,5 @@ include!("../generated/wdga_configured.snap.rs");
 include!("../generated/wdga_st.snap.rs");
 include!("../generated/wv58mr.snap.rs");
 include!("../generated/wv58mr_configured.snap.rs");
+include!("../generated/wv58mr_handled.snap.rs");
 include!("../generated/wv58mr_st.snap.rs");
