@@ -529,6 +529,7 @@ pub mod wv58mr_handled {
     }
     impl<H: Handlers> lexican_runtime::Device for Device<H> {
         type Buffer = [u8; 8];
+        type Pdos = lexican_runtime::pdo::Pdos<2, 0, 4>;
         #[inline]
         fn table(&self) -> Table<'_> {
             TABLE
@@ -548,6 +549,10 @@ pub mod wv58mr_handled {
         #[inline]
         fn buffer(&self) -> Self::Buffer {
             [0; 8]
+        }
+        #[inline]
+        fn pdos(&self) -> Self::Pdos {
+            Self::Pdos::EMPTY
         }
         fn before_read(&mut self, _: Address) -> Result<(), AbortCode> {
             Ok(())

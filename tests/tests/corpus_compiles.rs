@@ -78,6 +78,7 @@ fn the_code_of_every_file_compiles_without_a_warning() {
         .arg(folder.join("Cargo.toml"))
         .arg("--target-dir")
         .arg(folder.join("target"))
+        .env("CARGO_INCREMENTAL", "0")
         .status();
     assert!(
         status.expect("cargo runs").success(),
