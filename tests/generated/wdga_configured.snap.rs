@@ -20,7 +20,7 @@ pub mod wdga_configured {
         pub high_precision_position_value: u64,
         /// 6009h `High precision preset value`, `UNSIGNED64`, rw, default `0`
         pub high_precision_preset_value: u64,
-        /// 1002h `Manufacturer status register`, `UNSIGNED32`, ro, PDO-mappable
+        /// 1002h `Manufacturer status register`, `UNSIGNED32`, ro, default `0x0000_0000`, PDO-mappable
         pub manufacturer_status_register: u32,
         /// 1003sub1 to 1003sub5 `Predefined error field`, `UNSIGNED32`, ro, default `0x0000_0000`
         pub predefined_error_field: [u32; 5],
@@ -193,9 +193,9 @@ pub mod wdga_configured {
         pub frequency_limit: u16,
         /// 2500sub1 `Temperature`, `Current`, `INTEGER16`, ro, PDO-mappable
         pub temperature_current: i16,
-        /// 2500sub2 `Temperature`, `Upper limit`, `INTEGER16`, rw, `-40` to `100`, default `100`
+        /// 2500sub2 `Temperature`, `Upper limit`, `INTEGER16`, rwr, `-40` to `100`, default `100`, PDO-mappable
         pub temperature_upper_limit: i16,
-        /// 2500sub3 `Temperature`, `Lower limit`, `INTEGER16`, rw, `-40` to `100`, default `-40`
+        /// 2500sub3 `Temperature`, `Lower limit`, `INTEGER16`, rwr, `-40` to `100`, default `-40`, PDO-mappable
         pub temperature_lower_limit: i16,
         /// 2500sub4 `Temperature`, `Maximum`, `INTEGER16`, ro, PDO-mappable
         pub temperature_maximum: i16,
@@ -404,7 +404,7 @@ pub mod wdga_configured {
         pub const DEFAULTS: Self = Self {
             high_precision_position_value: 0,
             high_precision_preset_value: 0,
-            manufacturer_status_register: 0,
+            manufacturer_status_register: 0x0000_0000,
             predefined_error_field: [0x0000_0000; 5],
             cob_id_sync_message: 0x0000_0080,
             store_parameters: [0x0000_0001; 4],
@@ -663,7 +663,7 @@ pub mod wdga_configured {
         Row::elements(0x2120, 0x01, 0x08, DataType::UNSIGNED32, RW, offset_of!(Dictionary, customer_eeprom_area)),
         Row::value(0x2500, 0x00, DataType::UNSIGNED8, CONST, 33),
         Row::value(0x2500, 0x01, DataType::INTEGER16, RO.with(Access::TPDO), offset_of!(Dictionary, temperature_current)),
-        Row::elements(0x2500, 0x02, 0x03, DataType::INTEGER16, RW.with(Access::EXTRA), 10),
+        Row::elements(0x2500, 0x02, 0x03, DataType::INTEGER16, RW.with(Access::TPDO).with(Access::EXTRA), 10),
         Row::value(0x2500, 0x04, DataType::INTEGER16, RO.with(Access::TPDO), offset_of!(Dictionary, temperature_maximum)),
         Row::value(0x2500, 0x05, DataType::INTEGER16, RO.with(Access::TPDO), offset_of!(Dictionary, temperature_minimum)),
         Row::value(0x2502, 0x00, DataType::UNSIGNED8, CONST, 33),

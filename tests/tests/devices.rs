@@ -23,6 +23,11 @@ const WDGA: Errata = &[
         "UNSIGNED8,UNSIGNED32,UNSIGNED32,UNSIGNED32,UNSIGNED32,UNSIGNED32",
         "const,ro,ro,ro,ro,ro",
     ),
+    (
+        0x2500,
+        "UNSIGNED8,INTEGER16,INTEGER16,INTEGER16,INTEGER16,INTEGER16",
+        "const,ro,rwr,rwr,ro,ro",
+    ),
 ];
 
 const WV58MR: Errata = &[
