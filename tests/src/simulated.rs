@@ -143,8 +143,8 @@ impl Simulated {
     #[must_use]
     pub fn of(dictionary: &ir::Dictionary) -> Self {
         let objects: Vec<Object> = dictionary.entries().map(Object::from).collect();
-        let bits = dictionary.dummies.iter().map(|data_type| 1 << data_type.index());
-        Self::new(&objects).with_dummies(bits.fold(0, |all, bit: u8| all | bit))
+        let simple = dictionary.dummies.iter().map(|data_type| data_type.index()).filter(|&index| index < 8);
+        Self::new(&objects).with_dummies(simple.fold(0, |all, index| all | 1 << index))
     }
 
     /// The device with these dummy entries: bit 1 for 0001h, up to bit 7 for 0007h.

@@ -55,7 +55,7 @@ fn the_json_is_what_its_description_shows() {
         rest.split_once("```").unwrap().0
     };
     let lexican = Lexican::with(&[("pump.eds", block("```ini\n").as_bytes())]);
-    let command = "check pump.eds --level EDS001=allow --level EDS006=allow --format json";
+    let command = "check pump.eds --level EDS001=allow --level EDS006=allow --level COM001=allow --format json";
     assert!(page.contains(&format!("`lexican {command}`")));
     let ran = lexican.run(&command.split(' ').collect::<Vec<_>>());
     assert_eq!(ran.printed(1), block("```json\n"));

@@ -30,7 +30,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 301, object 1600h; CANchkEDS V65
-    pub(crate) WrongMappedLength { code: "PDO008", level: Level::Deny, since: "0.1.0" }
+    pub(crate) WrongMappedLength { code: "PDO008", level: Level::Warn, since: "0.1.0" }
 }
 
 impl DictionaryRule for WrongMappedLength {
