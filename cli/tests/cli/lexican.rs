@@ -2,7 +2,7 @@
 
 use std::{
     fs,
-    io::Write as _,
+    io::{ErrorKind, Write as _},
     path::Path,
     process::{Command, Stdio},
 };
@@ -60,7 +60,11 @@ impl Lexican {
             .stderr(Stdio::piped())
             .spawn()
             .unwrap();
-        child.stdin.take().unwrap().write_all(input).unwrap();
+        // A command that refuses its arguments leaves before it reads.
+        match child.stdin.take().unwrap().write_all(input) {
+            Err(error) if error.kind() != ErrorKind::BrokenPipe => panic!("{error}"),
+            _ => {}
+        }
         let output = child.wait_with_output().unwrap();
         Ran {
             code: output.status.code(),
