@@ -220,6 +220,7 @@ impl Mapping {
 }
 
 /// How many objects the parameter at `index` has place for: as many as it has sub-indices that follow one another.
+#[inline(never)]
 fn capacity<D: Device>(device: &D, index: u16) -> u8 {
     let table = device.table();
     let missing = (1..=64).find(|&sub| table.find(Address::new(index, sub)).is_none());
@@ -245,6 +246,7 @@ pub(super) fn check<D: Device>(device: &D, direction: Direction, index: u16, cou
     u8::try_from(bits).map_err(|_| AbortCode::PDO_TOO_LONG)
 }
 
+#[inline(never)]
 fn resolve_at<D: Device>(device: &D, direction: Direction, index: u16, sub: u8) -> Result<Mapped, AbortCode> {
     let value = od::number(device, Address::new(index, sub)).and_then(|value| u32::try_from(value).ok());
     Mapped::resolve(device, direction, value.unwrap_or(0))
