@@ -133,7 +133,7 @@ pub mod wv58mr_handled {
         pub supported_warnings: u16,
         /// 1001h `Error register`, `UNSIGNED8`, ro, default `0`
         pub error_register: u8,
-        /// 1003sub0 `Predefined error field`, `Number of errors`, `UNSIGNED8`, rw, `0` to `0`, default `0`
+        /// 1003sub0 `Predefined error field`, `Number of errors`, `UNSIGNED8`, rw, default `0`
         pub predefined_error_field_number_of_errors: u8,
         /// 100Dh `Life time factor`, `UNSIGNED8`, rw, default `0`
         pub life_time_factor: u8,
@@ -646,68 +646,68 @@ pub mod wv58mr_handled {
         Row::value(0x1000, 0x00, DataType::UNSIGNED32, CONST, 0),
         Row::value(0x1001, 0x00, DataType::UNSIGNED8, RO, offset_of!(Dictionary, error_register)),
         Row::value(0x1002, 0x00, DataType::UNSIGNED32, RO, offset_of!(Dictionary, manufacturer_status_register)),
-        Row::value(0x1003, 0x00, DataType::UNSIGNED8, RW.with(Access::EXTRA), 0),
+        Row::value(0x1003, 0x00, DataType::UNSIGNED8, RW, offset_of!(Dictionary, predefined_error_field_number_of_errors)),
         Row::elements(0x1003, 0x01, 0x08, DataType::UNSIGNED32, RO, offset_of!(Dictionary, predefined_error_field)),
         Row::value(0x1005, 0x00, DataType::UNSIGNED32, RW.with(Access::WRITE_HANDLER), offset_of!(Dictionary, cob_id_sync_message)),
-        Row::value(0x1008, 0x00, DataType::VISIBLE_STRING, CONST.with(Access::EXTRA), 1),
-        Row::value(0x1009, 0x00, DataType::VISIBLE_STRING, CONST.with(Access::EXTRA), 2),
-        Row::value(0x100A, 0x00, DataType::VISIBLE_STRING, CONST.with(Access::EXTRA), 3),
+        Row::value(0x1008, 0x00, DataType::VISIBLE_STRING, CONST.with(Access::EXTRA), 0),
+        Row::value(0x1009, 0x00, DataType::VISIBLE_STRING, CONST.with(Access::EXTRA), 1),
+        Row::value(0x100A, 0x00, DataType::VISIBLE_STRING, CONST.with(Access::EXTRA), 2),
         Row::value(0x100C, 0x00, DataType::UNSIGNED16, RW.with(Access::WRITE_HANDLER), offset_of!(Dictionary, guard_time)),
         Row::value(0x100D, 0x00, DataType::UNSIGNED8, RW.with(Access::WRITE_HANDLER), offset_of!(Dictionary, life_time_factor)),
-        Row::value(0x1010, 0x00, DataType::UNSIGNED8, CONST, 20),
+        Row::value(0x1010, 0x00, DataType::UNSIGNED8, CONST, 18),
         Row::elements(0x1010, 0x01, 0x04, DataType::UNSIGNED32, RW, offset_of!(Dictionary, store_parameters)),
-        Row::value(0x1011, 0x00, DataType::UNSIGNED8, CONST, 20),
+        Row::value(0x1011, 0x00, DataType::UNSIGNED8, CONST, 18),
         Row::elements(0x1011, 0x01, 0x04, DataType::UNSIGNED32, RW, offset_of!(Dictionary, restore_default_parameters)),
         Row::value(0x1014, 0x00, DataType::UNSIGNED32, RW.with(Access::WRITE_HANDLER).with(Access::NODE_ID), offset_of!(Dictionary, cob_id_emergency_message)),
         Row::value(0x1017, 0x00, DataType::UNSIGNED16, RW.with(Access::WRITE_HANDLER), offset_of!(Dictionary, producer_heartbeat_time)),
-        Row::value(0x1018, 0x00, DataType::UNSIGNED8, CONST, 20),
-        Row::elements(0x1018, 0x01, 0x02, DataType::UNSIGNED32, CONST, 21),
-        Row::value(0x1018, 0x03, DataType::UNSIGNED32, CONST, 25),
+        Row::value(0x1018, 0x00, DataType::UNSIGNED8, CONST, 18),
+        Row::elements(0x1018, 0x01, 0x02, DataType::UNSIGNED32, CONST, 19),
+        Row::value(0x1018, 0x03, DataType::UNSIGNED32, CONST, 23),
         Row::value(0x1018, 0x04, DataType::UNSIGNED32, RO, offset_of!(Dictionary, identity_serial_number)),
-        Row::value(0x1200, 0x00, DataType::UNSIGNED8, CONST, 29),
+        Row::value(0x1200, 0x00, DataType::UNSIGNED8, CONST, 27),
         Row::value(0x1200, 0x01, DataType::UNSIGNED32, RO.with(Access::NODE_ID), offset_of!(Dictionary, sdo_server_cob_id_client_to_server)),
         Row::value(0x1200, 0x02, DataType::UNSIGNED32, RO.with(Access::NODE_ID), offset_of!(Dictionary, sdo_server_cob_id_server_to_client)),
-        Row::value(0x1800, 0x00, DataType::UNSIGNED8, CONST, 30),
+        Row::value(0x1800, 0x00, DataType::UNSIGNED8, CONST, 28),
         Row::value(0x1800, 0x01, DataType::UNSIGNED32, RW.with(Access::WRITE_HANDLER).with(Access::NODE_ID), offset_of!(Dictionary, tpdo_1_communication_cob_id)),
         Row::value(0x1800, 0x02, DataType::UNSIGNED8, RW.with(Access::WRITE_HANDLER), offset_of!(Dictionary, tpdo_1_communication_transmission_type)),
         Row::value(0x1800, 0x03, DataType::UNSIGNED16, RO, offset_of!(Dictionary, tpdo_1_communication_inhibit_time)),
         Row::value(0x1800, 0x05, DataType::UNSIGNED16, RW.with(Access::WRITE_HANDLER), offset_of!(Dictionary, tpdo_1_communication_event_timer)),
-        Row::value(0x1801, 0x00, DataType::UNSIGNED8, CONST, 30),
+        Row::value(0x1801, 0x00, DataType::UNSIGNED8, CONST, 28),
         Row::value(0x1801, 0x01, DataType::UNSIGNED32, RW.with(Access::WRITE_HANDLER).with(Access::NODE_ID), offset_of!(Dictionary, tpdo_2_communication_cob_id)),
         Row::value(0x1801, 0x02, DataType::UNSIGNED8, RW.with(Access::WRITE_HANDLER), offset_of!(Dictionary, tpdo_2_communication_transmission_type)),
         Row::value(0x1801, 0x03, DataType::UNSIGNED16, RO, offset_of!(Dictionary, tpdo_2_communication_inhibit_time)),
         Row::value(0x1801, 0x05, DataType::UNSIGNED16, RO, offset_of!(Dictionary, tpdo_2_communication_event_timer)),
-        Row::value(0x1A00, 0x00, DataType::UNSIGNED8, CONST, 29),
+        Row::value(0x1A00, 0x00, DataType::UNSIGNED8, CONST, 27),
         Row::elements(0x1A00, 0x01, 0x02, DataType::UNSIGNED32, RO, offset_of!(Dictionary, tpdo_1_mapping)),
-        Row::value(0x1A01, 0x00, DataType::UNSIGNED8, CONST, 29),
+        Row::value(0x1A01, 0x00, DataType::UNSIGNED8, CONST, 27),
         Row::elements(0x1A01, 0x01, 0x02, DataType::UNSIGNED32, RO, offset_of!(Dictionary, tpdo_2_mapping)),
-        Row::value(0x2001, 0x00, DataType::INTEGER32, RW.with(Access::EXTRA).with(Access::WRITE_HANDLER), 4),
+        Row::value(0x2001, 0x00, DataType::INTEGER32, RW.with(Access::EXTRA).with(Access::WRITE_HANDLER), 3),
         Row::value(0x2002, 0x00, DataType::UNSIGNED8, WO, offset_of!(Dictionary, calibrate_encoder_value)),
         Row::value(0x2003, 0x00, DataType::INTEGER16, RW.with(Access::WRITE_HANDLER), offset_of!(Dictionary, limit_speed_low)),
         Row::value(0x2004, 0x00, DataType::INTEGER16, RW.with(Access::WRITE_HANDLER), offset_of!(Dictionary, limit_speed_high)),
         Row::value(0x5000, 0x00, DataType::UNSIGNED32, RO, offset_of!(Dictionary, can_bus_error_diagnosis)),
-        Row::value(0x5F0A, 0x00, DataType::UNSIGNED8, CONST, 29),
-        Row::elements(0x5F0A, 0x01, 0x02, DataType::UNSIGNED8, RW.with(Access::EXTRA), 5),
+        Row::value(0x5F0A, 0x00, DataType::UNSIGNED8, CONST, 27),
+        Row::elements(0x5F0A, 0x01, 0x02, DataType::UNSIGNED8, RW.with(Access::EXTRA), 4),
         Row::value(0x6000, 0x00, DataType::UNSIGNED16, RW.with(Access::WRITE_HANDLER), offset_of!(Dictionary, operating_parameters)),
-        Row::value(0x6001, 0x00, DataType::UNSIGNED32, RW.with(Access::EXTRA).with(Access::WRITE_HANDLER), 7),
+        Row::value(0x6001, 0x00, DataType::UNSIGNED32, RW.with(Access::EXTRA).with(Access::WRITE_HANDLER), 6),
         Row::value(0x6002, 0x00, DataType::UNSIGNED32, RW.with(Access::WRITE_HANDLER), offset_of!(Dictionary, total_measuring_range)),
-        Row::value(0x6003, 0x00, DataType::UNSIGNED32, RW.with(Access::EXTRA).with(Access::WRITE_HANDLER), 8),
+        Row::value(0x6003, 0x00, DataType::UNSIGNED32, RW.with(Access::EXTRA).with(Access::WRITE_HANDLER), 7),
         Row::value(0x6004, 0x00, DataType::UNSIGNED32, RO.with(Access::TPDO), offset_of!(Dictionary, position_value)),
         Row::value(0x600C, 0x00, DataType::UNSIGNED32, RO.with(Access::TPDO), offset_of!(Dictionary, position_raw_value)),
-        Row::value(0x6030, 0x00, DataType::UNSIGNED8, CONST, 59),
+        Row::value(0x6030, 0x00, DataType::UNSIGNED8, CONST, 57),
         Row::value(0x6030, 0x01, DataType::INTEGER16, RO.with(Access::TPDO), offset_of!(Dictionary, speed_value)),
-        Row::value(0x6031, 0x00, DataType::UNSIGNED8, CONST, 20),
+        Row::value(0x6031, 0x00, DataType::UNSIGNED8, CONST, 18),
         Row::value(0x6031, 0x01, DataType::UNSIGNED8, RW.with(Access::WRITE_HANDLER), offset_of!(Dictionary, speed_parameters_speed_source_selector)),
         Row::value(0x6031, 0x02, DataType::UNSIGNED16, RO, offset_of!(Dictionary, speed_parameters_speed_integration_time)),
         Row::value(0x6031, 0x03, DataType::UNSIGNED16, RW.with(Access::WRITE_HANDLER), offset_of!(Dictionary, speed_parameters_speed_multiplier)),
         Row::value(0x6031, 0x04, DataType::UNSIGNED16, RW.with(Access::WRITE_HANDLER), offset_of!(Dictionary, speed_parameters_speed_divisor)),
         Row::value(0x6200, 0x00, DataType::UNSIGNED16, RW.with(Access::WRITE_HANDLER), offset_of!(Dictionary, cycle_timer)),
-        Row::value(0x6400, 0x00, DataType::UNSIGNED8, CONST, 29),
+        Row::value(0x6400, 0x00, DataType::UNSIGNED8, CONST, 27),
         Row::elements(0x6400, 0x01, 0x02, DataType::UNSIGNED8, RO, offset_of!(Dictionary, area_state_register)),
-        Row::value(0x6401, 0x00, DataType::UNSIGNED8, CONST, 29),
-        Row::elements(0x6401, 0x01, 0x02, DataType::INTEGER32, RW.with(Access::EXTRA), 9),
-        Row::value(0x6402, 0x00, DataType::UNSIGNED8, CONST, 29),
-        Row::elements(0x6402, 0x01, 0x02, DataType::INTEGER32, RW.with(Access::EXTRA), 11),
+        Row::value(0x6401, 0x00, DataType::UNSIGNED8, CONST, 27),
+        Row::elements(0x6401, 0x01, 0x02, DataType::INTEGER32, RW.with(Access::EXTRA), 8),
+        Row::value(0x6402, 0x00, DataType::UNSIGNED8, CONST, 27),
+        Row::elements(0x6402, 0x01, 0x02, DataType::INTEGER32, RW.with(Access::EXTRA), 10),
         Row::value(0x6500, 0x00, DataType::UNSIGNED16, RO, offset_of!(Dictionary, operating_status)),
         Row::value(0x6501, 0x00, DataType::UNSIGNED32, RO, offset_of!(Dictionary, singleturn_resolution)),
         Row::value(0x6502, 0x00, DataType::UNSIGNED16, RO, offset_of!(Dictionary, number_of_distinguishable_revolutions)),
@@ -718,7 +718,7 @@ pub mod wv58mr_handled {
         Row::value(0x6507, 0x00, DataType::UNSIGNED32, RO, offset_of!(Dictionary, profile_and_software_version)),
         Row::value(0x6508, 0x00, DataType::UNSIGNED32, RO, offset_of!(Dictionary, operating_time)),
         Row::value(0x6509, 0x00, DataType::INTEGER32, RO, offset_of!(Dictionary, offset_value)),
-        Row::value(0x650A, 0x00, DataType::UNSIGNED8, CONST, 60),
+        Row::value(0x650A, 0x00, DataType::UNSIGNED8, CONST, 58),
         Row::elements(0x650A, 0x01, 0x03, DataType::INTEGER32, RO, offset_of!(Dictionary, module_identification)),
         Row::value(0x650B, 0x00, DataType::UNSIGNED32, RO, offset_of!(Dictionary, encoder_serial_number)),
         Row::value(0x650D, 0x00, DataType::UNSIGNED8, RO, offset_of!(Dictionary, absolute_accuracy)),
@@ -733,26 +733,24 @@ pub mod wv58mr_handled {
     ];
 
     #[rustfmt::skip]
-    const EXTRAS: [Extra; 13] = [
-        Extra::new(offset_of!(Dictionary, predefined_error_field_number_of_errors), 4), // 1003sub0
-        Extra::new(6, 6), // 1008sub0
-        Extra::new(12, 4), // 1009sub0
-        Extra::new(16, 4), // 100Asub0
-        Extra::new(offset_of!(Dictionary, application_offset), 31), // 2001sub0
-        Extra::new(offset_of!(Dictionary, node_id_and_baud_rate), 39), // 5F0Asub1
-        Extra::new(offset_of!(Dictionary, node_id_and_baud_rate) + 1, 41), // 5F0Asub2
-        Extra::new(offset_of!(Dictionary, measuring_units_per_revolution), 43), // 6001sub0
-        Extra::new(offset_of!(Dictionary, preset_value), 51), // 6003sub0
-        Extra::new(offset_of!(Dictionary, work_area_low_limit), 51), // 6401sub1
-        Extra::new(offset_of!(Dictionary, work_area_low_limit) + 4, 51), // 6401sub2
-        Extra::new(offset_of!(Dictionary, work_area_high_limit), 51), // 6402sub1
-        Extra::new(offset_of!(Dictionary, work_area_high_limit) + 4, 51), // 6402sub2
+    const EXTRAS: [Extra; 12] = [
+        Extra::new(4, 6), // 1008sub0
+        Extra::new(10, 4), // 1009sub0
+        Extra::new(14, 4), // 100Asub0
+        Extra::new(offset_of!(Dictionary, application_offset), 29), // 2001sub0
+        Extra::new(offset_of!(Dictionary, node_id_and_baud_rate), 37), // 5F0Asub1
+        Extra::new(offset_of!(Dictionary, node_id_and_baud_rate) + 1, 39), // 5F0Asub2
+        Extra::new(offset_of!(Dictionary, measuring_units_per_revolution), 41), // 6001sub0
+        Extra::new(offset_of!(Dictionary, preset_value), 49), // 6003sub0
+        Extra::new(offset_of!(Dictionary, work_area_low_limit), 49), // 6401sub1
+        Extra::new(offset_of!(Dictionary, work_area_low_limit) + 4, 49), // 6401sub2
+        Extra::new(offset_of!(Dictionary, work_area_high_limit), 49), // 6402sub1
+        Extra::new(offset_of!(Dictionary, work_area_high_limit) + 4, 49), // 6402sub2
     ];
 
     #[rustfmt::skip]
-    const CONSTANTS: [u8; 61] = [
+    const CONSTANTS: [u8; 59] = [
         0x96, 0x01, 0x02, 0x00, // 1000sub0
-        0x00, 0x00, // limits of 1003sub0
         0x57, 0x56, 0x35, 0x38, 0x4D, 0x52, // 1008sub0
         0x56, 0x30, 0x30, 0x31, // 1009sub0
         0x56, 0x31, 0x30, 0x30, // 100Asub0

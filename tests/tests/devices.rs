@@ -87,10 +87,10 @@ fn cia_406_has_every_object_of_the_profile_with_one_channel_and_with_254() {
             let value = object.entries.last().unwrap();
             assert_eq!(value.data_type.name(), data_type, "{index:04X}");
             assert_eq!(value.pdo_mapping, mappable == "yes", "{index:04X}");
-            // Errata: 6020h is measured, 6301h and 6302h are received.
+            // Errata: 6020h is measured, 6301h and 6302h go into TPDOs.
             let access = match index {
                 0x6020 => "ro",
-                0x6301 | 0x6302 => "rww",
+                0x6301 | 0x6302 => "rwr",
                 _ => access,
             };
             assert_eq!(value.access.name(), access, "{index:04X}");
