@@ -143,7 +143,11 @@ impl Simulated {
     #[must_use]
     pub fn of(dictionary: &ir::Dictionary) -> Self {
         let objects: Vec<Object> = dictionary.entries().map(Object::from).collect();
-        let simple = dictionary.dummies.iter().map(|data_type| data_type.index()).filter(|&index| index < 8);
+        let simple = dictionary
+            .dummies
+            .iter()
+            .map(|data_type| data_type.index())
+            .filter(|&index| index < 8);
         Self::new(&objects).with_dummies(simple.fold(0, |all, index| all | 1 << index))
     }
 

@@ -101,6 +101,7 @@ fn write_crate(folder: &Path, files: &[CorpusFile]) {
 }
 
 fn manifest(runtime: &Path) -> String {
+    let runtime = runtime.display();
     format!(
         "[package]
 name = \"corpus\"
@@ -109,7 +110,7 @@ edition = \"2021\"
 rust-version = \"1.77\"
 
 [dependencies]
-lexican-runtime = {{ path = {runtime:?} }}
+lexican-runtime = {{ path = '{runtime}' }}
 
 [lints.rust]
 warnings = \"deny\"
