@@ -120,6 +120,9 @@ keyword_idents_2024 = \"deny\"
 
 [lints.clippy]
 pedantic = {{ level = \"deny\", priority = -1 }}
+# Some files have strings of many kilobytes, and thousands of objects.
+large_const_arrays = \"allow\"
+large_stack_arrays = \"allow\"
 
 [workspace]
 "
