@@ -9,7 +9,7 @@ pub mod wdga_configured {
     use core::mem::offset_of;
     use lexican_runtime::{AbortCode, Address, NodeId, bytemuck};
     use lexican_runtime::od::{
-        Access, DataType, Extra, Row, Table, Value, VisibleString, place,
+        Access, DataType, Extra, Row, ServiceSet, Table, Value, VisibleString, place,
     };
     /// The values of the dictionary, the widest first, so that nothing stands between them.
     #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -553,6 +553,7 @@ pub mod wdga_configured {
     impl<H: Handlers> lexican_runtime::Device for Device<H> {
         type Buffer = [u8; 32];
         type Pdos = lexican_runtime::pdo::Pdos<4, 0, 32>;
+        const SERVICES: ServiceSet = ServiceSet::of(&ROWS).with(ServiceSet::LSS);
         #[inline]
         fn table(&self) -> Table<'_> {
             TABLE

@@ -7,7 +7,9 @@ pub mod wv58mr {
     //! * 102 values of 52 objects; 244 bytes of RAM
     use core::mem::offset_of;
     use lexican_runtime::{AbortCode, Address, NodeId, bytemuck};
-    use lexican_runtime::od::{Access, DataType, Extra, Row, Table, Value, place};
+    use lexican_runtime::od::{
+        Access, DataType, Extra, Row, ServiceSet, Table, Value, place,
+    };
     /// The values of the dictionary, the widest first, so that nothing stands between them.
     #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
     #[bytemuck(crate = "::lexican_runtime::bytemuck")]
@@ -299,6 +301,7 @@ pub mod wv58mr {
     impl<H: Handlers> lexican_runtime::Device for Device<H> {
         type Buffer = [u8; 8];
         type Pdos = lexican_runtime::pdo::Pdos<2, 0, 4>;
+        const SERVICES: ServiceSet = ServiceSet::of(&ROWS).with(ServiceSet::LSS);
         #[inline]
         fn table(&self) -> Table<'_> {
             TABLE

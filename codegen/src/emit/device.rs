@@ -50,12 +50,15 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
     let pdos = plan.pdos();
     let [tpdos, rpdos, mapped] = [pdos.tpdos, pdos.rpdos, pdos.mapped].map(|count| number(&count.to_string()));
     let dummy_usage = dummy_usage(pdos.dummy_usage);
+    let services = services(plan);
     let read = reads.first(&quote!());
     let write = writes.first(&quote!(value: Value<'_>));
     parse_quote! {
         impl<H: Handlers> lexican_runtime::Device for Device<H> {
             type Buffer = [u8; #buffer];
             type Pdos = lexican_runtime::pdo::Pdos<#tpdos, #rpdos, #mapped>;
+
+            const SERVICES: ServiceSet = #services;
 
             #[inline]
             fn table(&self) -> Table<'_> { TABLE }
@@ -80,6 +83,15 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
             #read
             #write
         }
+    }
+}
+
+/// The optional services: the objects say which, and DeviceInfo says LSS.
+fn services(plan: &Plan<'_>) -> Expr {
+    if plan.supports_lss() {
+        parse_quote!(ServiceSet::of(&ROWS).with(ServiceSet::LSS))
+    } else {
+        parse_quote!(ServiceSet::of(&ROWS))
     }
 }
 

@@ -31,6 +31,7 @@ fn runtime_names(plan: &Plan<'_>) -> Vec<&'static str> {
         (true, "Extra"),
         (kinds(|kind| matches!(kind, Kind::Octets(_))), "OctetString"),
         (true, "Row"),
+        (true, "ServiceSet"),
         (true, "Table"),
         (plan.items.iter().any(|item| item.kind == Kind::Time), "TimeOfDay"),
         (true, "Value"),

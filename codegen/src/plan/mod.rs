@@ -112,6 +112,11 @@ impl<'a> Plan<'a> {
         Pdos::of(self.dictionary)
     }
 
+    /// Whether the device has the layer setting services.
+    pub(crate) fn supports_lss(&self) -> bool {
+        self.dictionary.device.lss_supported
+    }
+
     /// Bytes that the longest value needs on its way.
     pub(crate) fn buffer(&self) -> usize {
         let capacities = self.fields().into_iter().filter_map(|item| item.kind.capacity());

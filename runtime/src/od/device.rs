@@ -1,6 +1,6 @@
 //! What the services need of a device.
 
-use super::{Table, Value};
+use super::{ServiceSet, Table, Value};
 use crate::{pdo::Room, AbortCode, Address};
 
 /// A device: the dictionary that was generated for it, and the application behind it.
@@ -15,6 +15,9 @@ pub trait Device {
 
     /// Room for the PDOs that the dictionary has objects for: [`Pdos`](crate::pdo::Pdos).
     type Pdos: Room;
+
+    /// The optional services that it has. All of them unless overridden: then the objects that exist at run time decide.
+    const SERVICES: ServiceSet = ServiceSet::ALL;
 
     /// The dictionary's entries.
     fn table(&self) -> Table<'_>;

@@ -40,6 +40,11 @@ impl Row {
         }
     }
 
+    /// The object's index.
+    pub(super) const fn index(&self) -> u16 {
+        self.first.index
+    }
+
     /// How many values it stands for.
     pub(super) const fn values(&self) -> u8 {
         self.last_sub - self.first.sub + 1
