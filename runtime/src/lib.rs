@@ -22,6 +22,7 @@ pub mod wire;
 
 mod abort;
 mod address;
+mod event;
 mod instant;
 mod node;
 mod node_id;
@@ -29,6 +30,7 @@ mod node_id;
 pub use abort::AbortCode;
 pub use address::Address;
 pub use bytemuck;
+pub use event::{Event, Heard};
 pub use instant::Instant;
 pub use node::Node;
 pub use node_id::NodeId;

@@ -6,7 +6,7 @@ pub mod cia406 {
     //! * Description: `Encoder profile CiA 406, one channel`
     //! * 118 values of 68 objects; 212 bytes of RAM
     use core::mem::offset_of;
-    use lexican_runtime::{AbortCode, Address, NodeId, bytemuck};
+    use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
         Access, DataType, Extra, Row, ServiceSet, Table, Value, place,
     };
@@ -338,7 +338,12 @@ pub mod cia406 {
         }
     }
     /// What the application answers for.
-    pub trait Handlers {}
+    pub trait Handlers {
+        /// Told what happens on the bus and to the node. Does nothing unless overridden.
+        fn event(&mut self, od: &mut Dictionary, event: Event) {
+            let _ = (od, event);
+        }
+    }
     impl Handlers for () {}
     /// The device: its dictionary, and the application behind it.
     #[derive(Clone, Debug)]
@@ -385,6 +390,10 @@ pub mod cia406 {
         #[inline]
         fn pdos(&self) -> Self::Pdos {
             Self::Pdos::EMPTY
+        }
+        #[inline]
+        fn event(&mut self, event: Event) {
+            self.handlers.event(&mut self.od, event);
         }
         fn before_read(&mut self, _: Address) -> Result<(), AbortCode> {
             Ok(())

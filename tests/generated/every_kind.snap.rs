@@ -6,7 +6,7 @@ pub mod every_kind {
     //! * Description: `Every kind of object`
     //! * 404 values of 111 objects; 896 bytes of RAM
     use core::mem::offset_of;
-    use lexican_runtime::{AbortCode, Address, NodeId, bytemuck};
+    use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
         Access, Boolean, DataType, Extra, OctetString, Row, ServiceSet, Table, TimeOfDay,
         Value, VisibleString, place, set_element,
@@ -444,6 +444,10 @@ pub mod every_kind {
     }
     /// What the application answers for.
     pub trait Handlers {
+        /// Told what happens on the bus and to the node. Does nothing unless overridden.
+        fn event(&mut self, od: &mut Dictionary, event: Event) {
+            let _ = (od, event);
+        }
         /// 2600h `Switch`, `BOOLEAN`, rw, default `false`
         ///
         /// Called before a client reads it: gives the value, which is stored in `od` and sent.
@@ -675,6 +679,10 @@ pub mod every_kind {
         #[inline]
         fn pdos(&self) -> Self::Pdos {
             Self::Pdos::EMPTY
+        }
+        #[inline]
+        fn event(&mut self, event: Event) {
+            self.handlers.event(&mut self.od, event);
         }
         fn before_read(&mut self, address: Address) -> Result<(), AbortCode> {
             let Self { od, handlers } = self;

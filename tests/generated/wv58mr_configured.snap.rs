@@ -7,7 +7,7 @@ pub mod wv58mr_configured {
     //! * Configured for node-ID 1
     //! * 102 values of 52 objects; 244 bytes of RAM
     use core::mem::offset_of;
-    use lexican_runtime::{AbortCode, Address, NodeId, bytemuck};
+    use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
         Access, DataType, Extra, Row, ServiceSet, Table, Value, place,
     };
@@ -279,7 +279,12 @@ pub mod wv58mr_configured {
         }
     }
     /// What the application answers for.
-    pub trait Handlers {}
+    pub trait Handlers {
+        /// Told what happens on the bus and to the node. Does nothing unless overridden.
+        fn event(&mut self, od: &mut Dictionary, event: Event) {
+            let _ = (od, event);
+        }
+    }
     impl Handlers for () {}
     /// The device: its dictionary, and the application behind it.
     #[derive(Clone, Debug)]
@@ -326,6 +331,10 @@ pub mod wv58mr_configured {
         #[inline]
         fn pdos(&self) -> Self::Pdos {
             Self::Pdos::EMPTY
+        }
+        #[inline]
+        fn event(&mut self, event: Event) {
+            self.handlers.event(&mut self.od, event);
         }
         fn before_read(&mut self, _: Address) -> Result<(), AbortCode> {
             Ok(())

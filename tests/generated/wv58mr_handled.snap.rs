@@ -6,7 +6,7 @@ pub mod wv58mr_handled {
     //! * Description: `Redundant absolute encoder WV58MR, 12 bit multiturn`
     //! * 102 values of 52 objects; 244 bytes of RAM
     use core::mem::offset_of;
-    use lexican_runtime::{AbortCode, Address, NodeId, bytemuck};
+    use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
         Access, DataType, Extra, Row, ServiceSet, Table, Value, place,
     };
@@ -279,6 +279,10 @@ pub mod wv58mr_handled {
     }
     /// What the application answers for.
     pub trait Handlers {
+        /// Told what happens on the bus and to the node. Does nothing unless overridden.
+        fn event(&mut self, od: &mut Dictionary, event: Event) {
+            let _ = (od, event);
+        }
         /// 1005h `COB-ID SYNC message`, `UNSIGNED32`, rw, default `0x0000_0080`
         ///
         /// Called before a client's value, which is within the limits, is stored in `od`.
@@ -556,6 +560,10 @@ pub mod wv58mr_handled {
         #[inline]
         fn pdos(&self) -> Self::Pdos {
             Self::Pdos::EMPTY
+        }
+        #[inline]
+        fn event(&mut self, event: Event) {
+            self.handlers.event(&mut self.od, event);
         }
         fn before_read(&mut self, _: Address) -> Result<(), AbortCode> {
             Ok(())

@@ -6,7 +6,7 @@ pub mod wv58mr_st {
     //! * Description: `Redundant absolute encoder WV58MR, singleturn`
     //! * 102 values of 52 objects; 244 bytes of RAM
     use core::mem::offset_of;
-    use lexican_runtime::{AbortCode, Address, NodeId, bytemuck};
+    use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
         Access, DataType, Extra, Row, ServiceSet, Table, Value, place,
     };
@@ -278,7 +278,12 @@ pub mod wv58mr_st {
         }
     }
     /// What the application answers for.
-    pub trait Handlers {}
+    pub trait Handlers {
+        /// Told what happens on the bus and to the node. Does nothing unless overridden.
+        fn event(&mut self, od: &mut Dictionary, event: Event) {
+            let _ = (od, event);
+        }
+    }
     impl Handlers for () {}
     /// The device: its dictionary, and the application behind it.
     #[derive(Clone, Debug)]
@@ -325,6 +330,10 @@ pub mod wv58mr_st {
         #[inline]
         fn pdos(&self) -> Self::Pdos {
             Self::Pdos::EMPTY
+        }
+        #[inline]
+        fn event(&mut self, event: Event) {
+            self.handlers.event(&mut self.od, event);
         }
         fn before_read(&mut self, _: Address) -> Result<(), AbortCode> {
             Ok(())

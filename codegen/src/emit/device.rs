@@ -80,6 +80,9 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
 
             #dummy_usage
 
+            #[inline]
+            fn event(&mut self, event: Event) { self.handlers.event(&mut self.od, event); }
+
             #read
             #write
         }

@@ -10,12 +10,16 @@ use super::{
 };
 use crate::plan::{Item, Plan};
 
-/// `Handlers`; without methods it is implemented for `()` too.
+/// `Handlers`; without methods that have to be written it is implemented for `()` too.
 pub(super) fn declaration(plan: &Plan<'_>) -> Vec<SynItem> {
     let methods: Vec<TraitItem> = plan.reads().map(read).chain(plan.writes().map(write)).collect();
     let declaration = parse_quote! {
         /// What the application answers for.
-        pub trait Handlers { #(#methods)* }
+        pub trait Handlers {
+            /// Told what happens on the bus and to the node. Does nothing unless overridden.
+            fn event(&mut self, od: &mut Dictionary, event: Event) { let _ = (od, event); }
+            #(#methods)*
+        }
     };
     let nobody = parse_quote!(impl Handlers for () {});
     if methods.is_empty() {

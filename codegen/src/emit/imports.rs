@@ -15,7 +15,7 @@ pub(super) fn imports(plan: &Plan<'_>) -> Vec<SynItem> {
     }
     let names = runtime_names(plan).into_iter().map(ident);
     items.push(parse_quote!(
-        use lexican_runtime::{AbortCode, Address, NodeId, bytemuck};
+        use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     ));
     items.push(parse_quote!(use lexican_runtime::od::{#(#names),*};));
     items

@@ -21,7 +21,7 @@ use crate::{
         nmt::{NmtCommand, NmtState},
         CanId, Frame,
     },
-    AbortCode, Address, Instant, NodeId,
+    AbortCode, Address, Event, Instant, NodeId,
 };
 
 /// A CANopen slave.
@@ -197,9 +197,13 @@ impl<D: Device> Node<D> {
 
     /// Obeys an NMT command as if it came from the master.
     pub fn obey(&mut self, command: NmtCommand) {
+        let before = self.nmt.state();
         if let Some(reset) = self.nmt.obey(command) {
             self.reset(reset);
             return;
+        }
+        if self.nmt.state() != before {
+            self.device.event(Event::State(self.nmt.state()));
         }
         if !self.nmt.serves_sdo() {
             self.end_transfer();
@@ -239,7 +243,7 @@ impl<D: Device> Node<D> {
 
     fn reset(&mut self, reset: Reset) {
         od::restore(&mut self.device, reset, self.id);
-        self.device.after_reset(reset);
+        self.device.event(Event::Reset(reset));
         self.end_transfer();
         self.emcy.reset(&mut self.device);
         self.heartbeat = heartbeat::Producer::new();
@@ -307,6 +311,7 @@ impl<D: Device> Node<D> {
         let frame = wire::heartbeat::emit(self.id, NmtState::Initialising);
         self.pending = Pending::NOTHING;
         self.nmt.booted();
+        self.device.event(Event::State(self.nmt.state()));
         let period = self.heartbeat_time();
         self.heartbeat.start(now, period);
         self.configure_exchange(now);

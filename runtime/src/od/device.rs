@@ -1,7 +1,7 @@
 //! What the services need of a device.
 
 use super::{ServiceSet, Table, Value};
-use crate::{pdo::Room, AbortCode, Address};
+use crate::{pdo::Room, AbortCode, Address, Event};
 
 /// A device: the dictionary that was generated for it, and the application behind it.
 ///
@@ -59,10 +59,9 @@ pub trait Device {
     /// The abort code that the client is to be answered with; then nothing is stored.
     fn before_write(&mut self, address: Address, value: Value<'_>) -> Result<(), AbortCode>;
 
-    /// Tells the application that the node was reset: values that a client may write have their values after power-on
-    /// again. Does nothing unless overridden.
-    fn after_reset(&mut self, reset: Reset) {
-        let _ = reset;
+    /// Tells the application what has happened. Does nothing unless overridden.
+    fn event(&mut self, event: Event) {
+        let _ = event;
     }
 }
 
