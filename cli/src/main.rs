@@ -3,7 +3,8 @@
 //! | module | does |
 //! |---|---|
 //! | `commands` | one subcommand a file: its arguments and what it does with them |
-//! | `format` | one output format of `check` a file |
+//! | `format` | one output format of `check` and `validate` a file |
+//! | `parallel`, `progress` | many files at once, and a bar for those who wait |
 //! | `input`, `output` | the only reading and writing of files and streams |
 //! | `failure` | why a command could not run, in one line |
 
@@ -12,6 +13,8 @@ mod failure;
 mod format;
 mod input;
 mod output;
+mod parallel;
+mod progress;
 
 use std::{io::Write as _, process::ExitCode};
 

@@ -5,12 +5,14 @@ use std::path::PathBuf;
 use clap::Args;
 use lexican_eds::rules::{self, Levels};
 
-use super::levels::LevelArguments;
+use super::{levels::LevelArguments, shown::ShownArguments};
 use crate::{
     Verdict,
     failure::Failure,
-    format::{Checked, Format, Report},
+    format::{Printer, Rendered, Style, Subject},
     input::{self, Input},
+    parallel,
+    progress::Progress,
 };
 
 /// Check EDS and DCF files against the standard
@@ -24,9 +26,8 @@ pub(crate) struct Check {
     #[arg(required = true, value_name = "FILE|DIR")]
     paths: Vec<PathBuf>,
 
-    /// How to print the findings
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    #[command(flatten)]
+    shown: ShownArguments,
 
     #[command(flatten)]
     levels: LevelArguments,
@@ -41,27 +42,39 @@ Examples:
 impl Check {
     pub(crate) fn run(self) -> Result<Verdict, Failure> {
         let levels = self.levels.levels()?;
-        let mut report = Report::default();
+        let style = self.shown.style();
+        let mut printer = Printer::new(style, Subject::File)?;
+        let inputs = self.inputs(&mut printer);
+        let mut progress = Progress::new(inputs.len(), !style.quiet);
+        let check = |input: Input| check(&input, &levels, style);
+        parallel::in_order(inputs, check, |checked| {
+            progress.advance();
+            match checked {
+                Ok(rendered) => progress.aside(|| printer.file(rendered))?,
+                Err(failure) => printer.failure(failure),
+            }
+            Ok(())
+        })?;
+        drop(progress);
+        printer.finish()
+    }
+
+    /// The files, in the order of the arguments.
+    fn inputs(&self, printer: &mut Printer) -> Vec<Input> {
+        let mut inputs = Vec::new();
         for path in &self.paths {
             match input::expand(path) {
-                Ok(inputs) => inputs.iter().for_each(|input| check(input, &levels, &mut report)),
-                Err(failure) => report.failures.push(failure),
+                Ok(found) => inputs.extend(found),
+                Err(failure) => printer.failure(failure),
             }
         }
-        self.format.print(&report)?;
-        Ok(report.verdict())
+        inputs
     }
 }
 
-fn check(input: &Input, levels: &Levels, report: &mut Report) {
-    match input.read() {
-        Ok(bytes) => {
-            let reading = lexican_eds::read(input.name(), bytes);
-            report.checked.push(Checked {
-                diagnostics: rules::check(&reading, levels),
-                document: reading.document,
-            });
-        }
-        Err(failure) => report.failures.push(failure),
-    }
+/// Reads the file and lets go of it: of a thousand files only what there is to say is kept.
+fn check(input: &Input, levels: &Levels, style: Style) -> Result<Rendered, Failure> {
+    let reading = lexican_eds::read(input.name(), input.read()?);
+    let found = rules::check(&reading, levels);
+    Ok(style.render(reading.document.source(), found))
 }

@@ -4,6 +4,7 @@ mod check;
 mod explain;
 mod generate;
 mod levels;
+mod shown;
 mod validate;
 
 use clap::Subcommand;

@@ -12,11 +12,11 @@ use lexican_eds::{
     rules::{self, Levels},
 };
 
-use super::levels::LevelArguments;
+use super::{levels::LevelArguments, shown::ShownArguments};
 use crate::{
     Verdict,
     failure::{self, Failure},
-    format::{Checked, Format, Report, Subject},
+    format::{Printer, Subject},
     input::Input,
 };
 
@@ -33,9 +33,8 @@ pub(crate) struct Validate {
     /// What the device answered: JSON as docs/dump-format.md of the repository describes it, or `-` for standard input
     dump: PathBuf,
 
-    /// How to print the findings
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    #[command(flatten)]
+    shown: ShownArguments,
 
     #[command(flatten)]
     levels: LevelArguments,
@@ -59,16 +58,11 @@ impl Validate {
         let reading = self.read_eds()?;
         let dump = read_dump(&self.dump)?;
         mention_own_findings(&reading);
-        let report = Report {
-            subject: Subject::Device,
-            checked: vec![Checked {
-                diagnostics: rules::validate(&reading, &dump, &levels),
-                document: reading.document,
-            }],
-            failures: Vec::new(),
-        };
-        self.format.print(&report)?;
-        Ok(report.verdict())
+        let style = self.shown.style();
+        let mut printer = Printer::new(style, Subject::Device)?;
+        let found = rules::validate(&reading, &dump, &levels);
+        printer.file(style.render(reading.document.source(), found))?;
+        printer.finish()
     }
 
     /// A file that describes something: held against nothing, every device would differ.

@@ -1,6 +1,6 @@
 //! How many findings there are at each level.
 
-use std::fmt;
+use std::{fmt, ops::AddAssign};
 
 use lexican_eds::{
     diagnostic::{Diagnostic, Level},
@@ -27,6 +27,14 @@ impl<'a> FromIterator<&'a Diagnostic> for Counts {
             }
         }
         counts
+    }
+}
+
+impl AddAssign for Counts {
+    fn add_assign(&mut self, other: Self) {
+        self.deny += other.deny;
+        self.warn += other.warn;
+        self.note += other.note;
     }
 }
 

@@ -1,23 +1,13 @@
 //! For programs. `docs/json.md` promises this form; [`VERSION`] counts what would break a reader.
 
-use std::io::{self, Write};
-
-use lexican_eds::{diagnostic::Diagnostic, rules, source::Source, span::Span};
+use lexican_eds::{diagnostic::Diagnostic, rules, source::Source};
 use serde::Serialize;
 
-use super::{Checked, Counts, Report};
+use super::{Checked, Counts, Form, Run, json_within, place::Place};
 
 const VERSION: u32 = 1;
 
-#[derive(Serialize)]
-struct Root<'a> {
-    format: &'static str,
-    version: u32,
-    tool: &'static str,
-    files: Vec<File<'a>>,
-    failures: Vec<String>,
-    summary: Summary,
-}
+pub(super) struct Json;
 
 #[derive(Serialize)]
 struct File<'a> {
@@ -44,50 +34,50 @@ struct Related<'a> {
     label: &'a str,
 }
 
-/// Lines and columns count from 1, columns in characters; `end_column` is that of the character behind the last.
-#[derive(Serialize)]
-struct Place {
-    line: u32,
-    column: u32,
-    end_column: u32,
-}
-
 #[derive(Serialize)]
 struct Summary {
     files: usize,
     #[serde(flatten)]
     counts: Counts,
+    hidden: usize,
 }
 
-/// Writes one JSON object.
-pub(super) fn write(report: &Report, out: &mut impl Write) -> io::Result<()> {
-    let root = Root {
-        format: "lexican-check",
-        version: VERSION,
-        tool: concat!("lexican ", env!("CARGO_PKG_VERSION")),
-        files: report.checked.iter().map(file).collect(),
-        failures: report.failures.iter().map(ToString::to_string).collect(),
-        summary: Summary {
-            files: report.checked.len(),
-            counts: report.counts(),
-        },
-    };
-    serde_json::to_writer_pretty(&mut *out, &root)?;
-    writeln!(out)
-}
+impl Form for Json {
+    fn begin(&self) -> String {
+        let tool = concat!("lexican ", env!("CARGO_PKG_VERSION"));
+        format!(
+            "{{\n  \"format\": \"lexican-check\",\n  \"version\": {VERSION},\n  \"tool\": \"{tool}\",\n  \"files\": ["
+        )
+    }
 
-fn file(checked: &Checked) -> File<'_> {
-    let source = checked.document.source();
-    let diagnostics = checked.diagnostics.iter();
-    File {
-        path: source.name(),
-        findings: diagnostics.map(|diagnostic| finding(source, diagnostic)).collect(),
+    fn file(&self, checked: &Checked) -> String {
+        let findings = checked.findings.iter();
+        let file = File {
+            path: checked.source.name(),
+            findings: findings.map(|finding| self::finding(checked.source, finding)).collect(),
+        };
+        format!("\n    {}", json_within(&file, 2))
+    }
+
+    fn between(&self) -> &'static str {
+        ","
+    }
+
+    fn end(&self, run: &Run) -> String {
+        let failures: Vec<String> = run.failures.iter().map(ToString::to_string).collect();
+        let summary = Summary {
+            files: run.files,
+            counts: run.counts,
+            hidden: run.hidden,
+        };
+        let (failures, summary) = (json_within(&failures, 1), json_within(&summary, 1));
+        format!("\n  ],\n  \"failures\": {failures},\n  \"summary\": {summary}\n}}\n")
     }
 }
 
 fn finding<'a>(source: &'a Source, diagnostic: &'a Diagnostic) -> Finding<'a> {
     let related = diagnostic.related.iter().map(|related| Related {
-        place: place(source, related.span),
+        place: Place::of(source, related.span),
         label: &related.label,
     });
     Finding {
@@ -96,19 +86,9 @@ fn finding<'a>(source: &'a Source, diagnostic: &'a Diagnostic) -> Finding<'a> {
         level: diagnostic.level.name(),
         message: &diagnostic.message,
         section: diagnostic.section.map(|header| source.slice(header)),
-        place: (!diagnostic.about_file()).then(|| place(source, diagnostic.span)),
+        place: (!diagnostic.about_file()).then(|| Place::of(source, diagnostic.span)),
         label: diagnostic.label.as_deref(),
         related: related.collect(),
         help: diagnostic.help.as_deref(),
-    }
-}
-
-fn place(source: &Source, span: Span) -> Place {
-    let start = source.line_column(span);
-    let end = source.line_column(Span::new(span.end, span.end));
-    Place {
-        line: start.line,
-        column: start.column,
-        end_column: end.column,
     }
 }

@@ -1,40 +1,48 @@
 //! How findings are printed: one format a file.
+//!
+//! A file's findings become text on the thread that checked it, so that the file itself need not be kept until the end of
+//! the run; the [`Printer`] puts the texts together.
 
 mod counts;
+mod github;
 mod json;
+mod junit;
+mod place;
+mod printer;
+mod sarif;
 mod text;
 
-use std::io;
+use std::collections::BTreeSet;
 
 use clap::ValueEnum;
-use lexican_eds::{diagnostic::Diagnostic, document::Document};
-
-pub(crate) use counts::Counts;
-
-use crate::{
-    Verdict,
-    failure::Failure,
-    output::{Stdout, unwritten},
+use lexican_eds::{
+    diagnostic::{Code, Diagnostic},
+    source::Source,
 };
 
+pub(crate) use counts::Counts;
+pub(crate) use printer::{Printer, Rendered, Style};
+
+use crate::failure::Failure;
+
 /// An output format.
-#[derive(Clone, Copy, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     /// For people: the line, a caret under the value, the cure
     #[default]
     Text,
     /// For programs, as docs/json.md of the repository describes it
     Json,
-}
-
-/// A file and what is wrong with it.
-pub(crate) struct Checked {
-    pub(crate) document: Document,
-    pub(crate) diagnostics: Vec<Diagnostic>,
+    /// For code scanning services: SARIF 2.1.0
+    Sarif,
+    /// For the test reports of CI services: JUnit XML, a suite a file
+    Junit,
+    /// For GitHub Actions: annotations in the files of a pull request
+    Github,
 }
 
 /// What was checked.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Subject {
     #[default]
     File,
@@ -42,46 +50,64 @@ pub(crate) enum Subject {
     Device,
 }
 
-/// All that a run of `check` or `validate` has to say.
-#[derive(Default)]
-pub(crate) struct Report {
-    pub(crate) subject: Subject,
-    pub(crate) checked: Vec<Checked>,
-    /// Files and directories that could not be read.
-    pub(crate) failures: Vec<Failure>,
+/// A file, and of what is wrong with it that which is to be shown.
+struct Checked<'a> {
+    source: &'a Source,
+    findings: &'a [Diagnostic],
 }
 
-impl Report {
-    pub(crate) fn verdict(&self) -> Verdict {
-        match (self.failures.is_empty(), self.counts().deny) {
-            (false, _) => Verdict::Incomplete,
-            (true, 0) => Verdict::Clean,
-            (true, _) => Verdict::Findings,
-        }
+/// What a run came to.
+#[derive(Debug, Default)]
+struct Run {
+    subject: Subject,
+    /// How many were checked.
+    files: usize,
+    /// Of what is shown.
+    counts: Counts,
+    /// How many findings are below the level that is shown.
+    hidden: usize,
+    /// The rules that found something to show.
+    codes: BTreeSet<Code>,
+    /// Files and directories that could not be read.
+    failures: Vec<Failure>,
+}
+
+/// A format: a run is `begin`, the files with `between` between those that are not empty, and `end`.
+trait Form: Sync {
+    fn begin(&self) -> String {
+        String::new()
     }
 
-    fn counts(&self) -> Counts {
-        self.checked.iter().flat_map(|checked| &checked.diagnostics).collect()
+    fn file(&self, checked: &Checked) -> String;
+
+    fn between(&self) -> &'static str {
+        ""
     }
+
+    fn end(&self, run: &Run) -> String;
 }
 
 impl Format {
-    /// Prints the findings to standard output, what could not be read to standard error.
-    pub(crate) fn print(self, report: &Report) -> Result<(), Failure> {
+    fn form(self) -> &'static dyn Form {
         match self {
-            Self::Text => write(text::write, report, Stdout::styled()),
-            Self::Json => write(json::write, report, Stdout::plain()),
-        }?;
-        report.failures.iter().for_each(Failure::print);
-        Ok(())
+            Self::Text => &text::Text,
+            Self::Json => &json::Json,
+            Self::Sarif => &sarif::Sarif,
+            Self::Junit => &junit::Junit,
+            Self::Github => &github::Github,
+        }
+    }
+
+    /// Whether it speaks to people, who like colours, and not to programs.
+    fn is_for_people(self) -> bool {
+        self == Self::Text
     }
 }
 
-fn write(
-    write: impl Fn(&Report, &mut Stdout) -> io::Result<()>,
-    report: &Report,
-    mut stdout: Stdout,
-) -> Result<(), Failure> {
-    write(report, &mut stdout).map_err(|error| unwritten(&error))?;
-    stdout.finish()
+/// `value` as JSON, `depth` levels deep in a document that is indented by two blanks a level.
+fn json_within(value: &impl serde::Serialize, depth: usize) -> String {
+    // Only maps whose keys are no strings cannot be written, and there is none.
+    let text = serde_json::to_string_pretty(value).unwrap_or_default();
+    // A line feed in a string is written as `\n`, so that each one here is between two tokens.
+    text.replace('\n', &format!("\n{}", "  ".repeat(depth)))
 }

@@ -1,31 +1,45 @@
 //! For people.
 
-use std::io::{self, Write};
+use std::fmt::Write as _;
 
 use lexican_eds::render::Renderer;
 
-use super::{Report, Subject};
+use super::{Checked, Form, Run, Subject};
 
-/// Writes each finding with its line of the file, and a summary at the end.
-pub(super) fn write(report: &Report, out: &mut impl Write) -> io::Result<()> {
-    let renderer = Renderer::coloured();
-    for checked in &report.checked {
-        for diagnostic in &checked.diagnostics {
-            writeln!(out, "{}", renderer.render(checked.document.source(), diagnostic))?;
+pub(super) struct Text;
+
+impl Form for Text {
+    /// Each finding with its line of the file.
+    fn file(&self, checked: &Checked) -> String {
+        let renderer = Renderer::coloured();
+        let mut text = String::new();
+        for finding in checked.findings {
+            let _ = writeln!(text, "{}", renderer.render(checked.source, finding));
         }
+        text
     }
-    match report.checked.len() {
-        0 => Ok(()),
-        number => writeln!(out, "{}", summary(report, number)),
+
+    /// The summary.
+    fn end(&self, run: &Run) -> String {
+        match run.files {
+            0 => String::new(),
+            _ => format!("{run}\n"),
+        }
     }
 }
 
-/// `3 files checked: 1 error, 2 warnings`
-fn summary(report: &Report, number: usize) -> String {
-    let subject = match report.subject {
-        Subject::File => "file",
-        Subject::Device => "device",
-    };
-    let plural = if number == 1 { "" } else { "s" };
-    format!("{number} {subject}{plural} checked: {}", report.counts())
+impl std::fmt::Display for Run {
+    /// `3 files checked: 1 error, 2 warnings (12 below the level shown)`
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let subject = match self.subject {
+            Subject::File => "file",
+            Subject::Device => "device",
+        };
+        let plural = if self.files == 1 { "" } else { "s" };
+        write!(f, "{} {subject}{plural} checked: {}", self.files, self.counts)?;
+        match self.hidden {
+            0 => Ok(()),
+            hidden => write!(f, " ({hidden} below --min-level not shown)"),
+        }
+    }
 }

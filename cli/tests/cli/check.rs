@@ -234,3 +234,50 @@ fn the_encoders_of_this_project_are_clean() {
         ran.stdout
     );
 }
+
+#[test]
+fn many_files_are_reported_in_the_order_of_their_names() {
+    let names: Vec<String> = (100..300).map(|number| format!("devices/{number}.eds")).collect();
+    let files: Vec<(&str, &[u8])> = names.iter().map(|name| (name.as_str(), DENIED)).collect();
+    let lexican = Lexican::with(&files);
+    let ran = lexican.run(&["check", "devices"]);
+    let heads = ran
+        .printed(1)
+        .lines()
+        .filter_map(|line| line.split_once(":93:10: error"));
+    let seen: Vec<String> = heads
+        .map(|(name, _)| name.replace(std::path::MAIN_SEPARATOR, "/"))
+        .collect();
+    assert_eq!(seen, names);
+    assert!(ran.stdout.ends_with("200 files checked: 200 errors\n"));
+    assert_eq!(lexican.run(&["check", "devices"]), ran, "each run prints the same");
+}
+
+#[test]
+fn what_is_below_the_level_that_is_shown_is_counted_and_counts_for_the_exit_code_as_before() {
+    let lexican = Lexican::with(&[("denied.eds", DENIED), ("warned.eds", WARNED), ("noted.eds", NOTED)]);
+    let run = |level: &str, code| {
+        let files = ["check", "denied.eds", "warned.eds", "noted.eds", "--min-level", level];
+        let ran = lexican.run(&files);
+        let text = ran.printed(code).to_owned();
+        let heads = text.lines().filter(|line| line.contains(".eds:")).count();
+        (heads, text.lines().last().unwrap().to_owned())
+    };
+    assert_eq!(
+        run("note", 1),
+        (3, "3 files checked: 1 error, 1 warning, 1 note".into())
+    );
+    let hidden = "3 files checked: 1 error, 1 warning (1 below --min-level not shown)";
+    assert_eq!(run("warn", 1), (2, hidden.into()));
+    let hidden = "3 files checked: 1 error (2 below --min-level not shown)";
+    assert_eq!(run("deny", 1), (1, hidden.into()));
+}
+
+#[test]
+fn a_quiet_run_says_what_is_wrong_and_nothing_else() {
+    let lexican = Lexican::with(&[("good.eds", GOOD), ("denied.eds", DENIED)]);
+    assert_eq!(lexican.run(&["check", "-q", "good.eds"]).printed(0), "");
+    let ran = lexican.run(&["check", "--quiet", "good.eds", "denied.eds"]);
+    assert!(ran.printed(1).starts_with("denied.eds:93:10: error"));
+    assert!(!ran.stdout.contains("checked"), "{}", ran.stdout);
+}

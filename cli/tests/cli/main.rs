@@ -4,6 +4,7 @@
 
 mod check;
 mod explain;
+mod formats;
 mod generate;
 mod help;
 mod lexican;

@@ -14,6 +14,12 @@ pub fn page(rule: &Rule) -> String {
     )
 }
 
+/// The page's place in [`manual`], as the part of a link behind `#`: `ini001-junk-line`.
+#[must_use]
+pub fn anchor(rule: &Rule) -> String {
+    format!("{}-{}", rule.code(), rule.name().replace(' ', "-")).to_lowercase()
+}
+
 /// All rules: `docs/rules.md`.
 #[must_use]
 pub fn manual() -> String {
@@ -42,7 +48,7 @@ fn table(family: &Family) -> String {
     text.push_str("| code | allow … | level | what it does |\n|---|---|---|---|\n");
     for rule in all().iter().filter(|rule| rule.code().family() == family.letters) {
         let (code, name, level, summary) = (rule.code(), rule.name(), rule.level(), rule.summary());
-        let anchor = format!("{code}-{}", name.replace(' ', "-")).to_lowercase();
+        let anchor = anchor(rule);
         let _ = writeln!(text, "| [{code}](#{anchor}) | {name} | {level} | {summary} |");
     }
     text

@@ -30,7 +30,7 @@ mod rule;
 mod unusual;
 
 pub use levels::{LevelChange, LevelChangeError, Levels, UnknownRule};
-pub use manual::{manual, page};
+pub use manual::{anchor, manual, page};
 pub use registry::{Family, all, families, find};
 pub use rule::Rule;
 
