@@ -6,6 +6,8 @@
 use core::{mem::MaybeUninit, ptr};
 
 use cortex_m_rt::entry;
+// The vector table of a chip.
+use lm3s6965 as _;
 use lexican_runtime::{CanId, Frame, Instant, Node, NodeId};
 
 include!(concat!(env!("OUT_DIR"), "/dictionary.rs"));
