@@ -40,7 +40,6 @@ impl Producer {
     }
 
     /// When the next heartbeat is due; [`Instant::NEVER`] without one.
-    #[inline]
     #[must_use]
     pub const fn due(&self) -> Instant {
         self.due

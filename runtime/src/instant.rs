@@ -33,14 +33,12 @@ impl Instant {
     }
 
     /// The point `micros` µs later.
-    #[inline]
     #[must_use]
     pub const fn plus_micros(self, micros: u64) -> Self {
         Self(self.0.saturating_add(micros))
     }
 
     /// The point `millis` ms later.
-    #[inline]
     #[must_use]
     pub const fn plus_millis(self, millis: u32) -> Self {
         Self(self.0.saturating_add(millis as u64 * 1000))

@@ -27,14 +27,12 @@ impl Slave {
     }
 
     /// The state.
-    #[inline]
     #[must_use]
     pub const fn state(&self) -> NmtState {
         self.state
     }
 
     /// Whether SDOs are served: not in INITIALISING and STOPPED (CiA 301, 7.3.2.2).
-    #[inline]
     #[must_use]
     pub const fn serves_sdo(&self) -> bool {
         matches!(self.state, NmtState::Operational | NmtState::PreOperational)
@@ -53,7 +51,6 @@ impl Slave {
     }
 
     /// Whether PDOs are exchanged: in OPERATIONAL only (CiA 301, 7.3.2.2).
-    #[inline]
     #[must_use]
     pub const fn exchanges_pdos(&self) -> bool {
         matches!(self.state, NmtState::Operational)

@@ -39,21 +39,18 @@ impl Consumer {
     }
 
     /// The identifier of SYNC; `None` for a device without 1005h.
-    #[inline]
     #[must_use]
     pub const fn id(&self) -> Option<CanId> {
         self.id
     }
 
     /// The counter in a SYNC, 0 where the network does not count; `None` when the frame has another length than that asks for.
-    #[inline]
     #[must_use]
     pub fn counter(&self, frame: &Frame) -> Option<u8> {
         wire::sync::parse(frame, self.counts)
     }
 
     /// Until when synchronous PDOs go with the SYNC of `now`.
-    #[inline]
     #[must_use]
     pub fn window(&self, now: Instant) -> Instant {
         match self.window {
@@ -136,7 +133,6 @@ impl Producer {
     }
 
     /// When the next SYNC is due; [`Instant::NEVER`] without one.
-    #[inline]
     #[must_use]
     pub const fn due(&self) -> Instant {
         self.due

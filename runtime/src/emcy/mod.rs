@@ -111,14 +111,12 @@ impl Producer {
     }
 
     /// Whether a message waits.
-    #[inline]
     #[must_use]
     pub const fn has_message(&self) -> bool {
         !self.queue.is_empty()
     }
 
     /// When a message that waits for the inhibit time may be sent; [`Instant::NEVER`] without one.
-    #[inline]
     #[must_use]
     pub const fn due(&self) -> Instant {
         self.due

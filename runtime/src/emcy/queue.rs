@@ -21,7 +21,6 @@ impl Queue {
         }
     }
 
-    #[inline]
     pub(super) const fn is_empty(&self) -> bool {
         self.length == 0
     }

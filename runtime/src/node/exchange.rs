@@ -54,7 +54,6 @@ impl<D: Device> Node<D> {
     }
 
     /// A SYNC of the wrong length is reported and not taken (CiA 301, 7.5.2.19).
-    #[inline]
     fn receive_sync(&mut self, now: Instant, frame: &Frame) {
         let counter = self.sync_consumer.counter(frame);
         if counter.is_none() != self.is_sync_wrong {
@@ -68,7 +67,6 @@ impl<D: Device> Node<D> {
     }
 
     /// A SYNC came from the bus, or went out.
-    #[inline]
     fn synchronise(&mut self, now: Instant, counter: u8) {
         let window = self.sync_consumer.window(now);
         let is_requested = self.pdos.sync(&mut self.device, counter, window);
@@ -124,7 +122,6 @@ impl<D: Device> Node<D> {
         self.report_faults();
     }
 
-    #[inline]
     fn tell_pdos(&mut self, is_requested: bool) {
         if is_requested {
             self.pending.add(Pending::PDO);

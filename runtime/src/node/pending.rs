@@ -21,24 +21,20 @@ impl Pending {
     /// A heartbeat.
     pub(super) const HEARTBEAT: Self = Self(0x0040);
 
-    #[inline]
     pub(super) fn add(&mut self, other: Self) {
         self.0 |= other.0;
     }
 
-    #[inline]
     pub(super) fn remove(&mut self, other: Self) {
         self.0 &= !other.0;
     }
 
     /// Whether `other` is in it.
-    #[inline]
     pub(super) fn has(self, other: Self) -> bool {
         self.0 & other.0 != 0
     }
 
     /// Whether `other` was in it; now it is not.
-    #[inline]
     pub(super) fn take(&mut self, other: Self) -> bool {
         let had = self.0 & other.0 != 0;
         self.remove(other);

@@ -71,7 +71,6 @@ const WIDTHS: [u8; 32] = [
 
 impl DataType {
     /// Bytes that a value has on the bus, 1 to 8; 0 for a type without a fixed length (strings, DOMAIN).
-    #[inline]
     #[must_use]
     pub const fn length(self) -> usize {
         LENGTHS[(self.0 & 0x1F) as usize] as usize
@@ -79,14 +78,12 @@ impl DataType {
 
     /// Bytes that a value takes in the dictionary's struct: 24 bits widened to 4 bytes, 40 to 56 bits to 8; else
     /// [`DataType::length`].
-    #[inline]
     #[must_use]
     pub const fn width(self) -> usize {
         WIDTHS[(self.0 & 0x1F) as usize] as usize
     }
 
     /// Whether it is INTEGER8 to INTEGER64.
-    #[inline]
     #[must_use]
     pub const fn is_signed(self) -> bool {
         matches!(self.0, 0x02..=0x04 | 0x10 | 0x12..=0x15)

@@ -4,7 +4,6 @@ use super::{read, Access, DataType, Device, Entry, Table};
 use crate::AbortCode;
 
 /// `bits` as wide as they get: what is beyond the type's length becomes the sign of an INTEGER, zero of any other.
-#[inline]
 #[allow(clippy::cast_possible_wrap, clippy::cast_sign_loss)] // Two's complement, there and back.
 pub(super) fn widen(data_type: DataType, bits: u64) -> u64 {
     let unused = 64usize.wrapping_sub(8 * data_type.length()) & 63;
@@ -17,7 +16,6 @@ pub(super) fn widen(data_type: DataType, bits: u64) -> u64 {
 }
 
 /// Refuses a widened number that its type or its object's limits do not allow.
-#[inline]
 pub(super) fn check<D: Device>(device: &D, entry: Entry, bits: u64) -> Result<(), AbortCode> {
     if entry.data_type == DataType::BOOLEAN && bits > 1 {
         return Err(AbortCode::INVALID_VALUE);

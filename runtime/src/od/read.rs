@@ -21,7 +21,6 @@ pub fn read<D: Device>(device: &mut D, address: Address) -> Result<Value<'_>, Ab
 ///
 /// # Errors
 /// As [`read`].
-#[inline]
 pub fn readable<D: Device>(device: &mut D, address: Address) -> Result<Entry, AbortCode> {
     let Some(entry) = device.table().find(address) else {
         return Err(absent(device, address));
@@ -39,14 +38,12 @@ pub fn readable<D: Device>(device: &mut D, address: Address) -> Result<Entry, Ab
 ///
 /// # Errors
 /// [`AbortCode::INTERNAL_INCOMPATIBILITY`] for an entry that is not of this device's table.
-#[inline]
 pub fn load<D: Device>(device: &D, entry: Entry) -> Result<Value<'_>, AbortCode> {
     value(device, entry).ok_or(AbortCode::INTERNAL_INCOMPATIBILITY)
 }
 
 /// The number at `address`, for a service that needs its own parameter: neither access nor handlers count. `None` when
 /// there is none. Of a generated dictionary the compiler knows the place, so this is one load, or nothing at all.
-#[inline]
 pub fn number<D: Device>(device: &D, address: Address) -> Option<u64> {
     match value(device, device.table().find(address)?)? {
         Value::Number { bits, .. } => Some(bits),
@@ -64,7 +61,6 @@ pub(super) fn absent<D: Device>(device: &D, address: Address) -> AbortCode {
     }
 }
 
-#[inline]
 fn value<D: Device>(device: &D, entry: Entry) -> Option<Value<'_>> {
     let table = device.table();
     let (slot, detail) = table.locate(entry)?;
@@ -91,7 +87,6 @@ fn string(bytes: &[u8], detail: usize, constant: bool) -> Option<&[u8]> {
 }
 
 /// The number of `width` bytes at the start of `bytes`: a constant is little-endian, another one as the target has it.
-#[inline]
 pub(super) fn bits(bytes: &[u8], width: usize, constant: bool) -> Option<u64> {
     let swap = cfg!(target_endian = "big") && !constant;
     match width {

@@ -83,7 +83,6 @@ pub const fn place_of(address: Address, seeds: &[u16], places: usize) -> usize {
 
 impl Table<'_> {
     /// The entry at `address`, if the dictionary has one.
-    #[inline]
     #[must_use]
     pub fn find(&self, address: Address) -> Option<Entry> {
         let key = lookup_key(address);
@@ -104,7 +103,6 @@ impl Table<'_> {
 
     /// Where the value of `entry` stands, and the [`Extra::detail`] of it (0 where it has none); `None` for an entry that
     /// is not of this table.
-    #[inline]
     pub(crate) fn locate(&self, entry: Entry) -> Option<(usize, usize)> {
         if !entry.access.has(Access::EXTRA) {
             return Some((usize::from(entry.slot), 0));

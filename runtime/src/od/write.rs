@@ -29,7 +29,6 @@ pub fn write<D: Device>(
 /// # Errors
 /// * [`AbortCode::NO_SUCH_OBJECT`], [`AbortCode::NO_SUCH_SUB_INDEX`]
 /// * [`AbortCode::READ_ONLY`]
-#[inline]
 pub fn writable<D: Device>(device: &D, address: Address) -> Result<Entry, AbortCode> {
     let Some(entry) = device.table().find(address) else {
         return Err(read::absent(device, address));
@@ -101,7 +100,6 @@ pub fn set<D: Device>(device: &mut D, address: Address, data: &[u8]) -> Result<(
 }
 
 /// Writes a number of the right length to `entry`; bits of `bits` beyond that length mean nothing.
-#[inline]
 pub(crate) fn store_number<D: Device>(
     device: &mut D,
     services: &mut impl Services,
@@ -142,13 +140,11 @@ fn number(data: &[u8]) -> u64 {
 }
 
 /// Whether `entry` is an object of the communication services, 1000h to 1FFFh.
-#[inline]
 fn is_communication(entry: Entry) -> bool {
     entry.index & 0xF000 == 0x1000
 }
 
 /// Asks all that may refuse the value.
-#[inline]
 fn ask<D: Device>(
     device: &mut D,
     services: &mut impl Services,
@@ -165,7 +161,6 @@ fn ask<D: Device>(
 }
 
 /// Tells the services that the value is stored.
-#[inline]
 fn tell<D: Device>(device: &mut D, services: &mut impl Services, entry: Entry) {
     if is_communication(entry) {
         services.after_write(device, entry.address());
@@ -173,7 +168,6 @@ fn tell<D: Device>(device: &mut D, services: &mut impl Services, entry: Entry) {
 }
 
 /// Stores a number in the target's byte order.
-#[inline]
 pub(super) fn put<D: Device>(device: &mut D, entry: Entry, bits: u64) -> Option<()> {
     let (slot, _) = device.table().locate(entry)?;
     let place = device.values_mut().get_mut(slot..)?;

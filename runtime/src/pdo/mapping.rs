@@ -66,27 +66,23 @@ impl Mapped {
     }
 
     /// Its row; `None` for a dummy.
-    #[inline]
     fn entry<D: Device>(self, device: &D) -> Option<Entry> {
         device.table().entries.get(usize::from(self.place)).copied()
     }
 
     /// Its bits, all set.
-    #[inline]
     const fn mask(self) -> u64 {
         u64::MAX.wrapping_shr(64u32.wrapping_sub(self.bits as u32))
     }
 
     /// The value of a plain one: eight bytes from its slot on, of which its bits are the lowest. `None` when there are not
     /// as many.
-    #[inline]
     fn load_plain<D: Device>(self, device: &D) -> Option<u64> {
         let bytes = device.values().get(usize::from(self.slot)..)?.first_chunk()?;
         self.is_plain.then(|| u64::from_le_bytes(*bytes))
     }
 
     /// The value now, brought up to date by the application; when that refuses, as it was.
-    #[inline]
     fn load<D: Device>(self, device: &mut D) -> u64 {
         match self.load_plain(device) {
             Some(bits) => bits & self.mask(),
@@ -161,7 +157,6 @@ impl Mapping {
     }
 
     /// How many bytes a PDO has that carries it.
-    #[inline]
     pub(super) const fn length(self) -> u8 {
         self.bits.div_ceil(8)
     }
@@ -185,14 +180,12 @@ impl Mapping {
     }
 
     /// The mapped objects.
-    #[inline]
     fn objects(self, pool: &[Mapped]) -> &[Mapped] {
         let first = usize::from(self.first);
         pool.get(first..first + usize::from(self.count)).unwrap_or(&[])
     }
 
     /// The objects' values, the first one in the low bits.
-    #[inline]
     pub(super) fn collect<D: Device>(self, device: &mut D, pool: &[Mapped]) -> u64 {
         let (mut word, mut at) = (0, 0);
         for mapped in self.objects(pool) {

@@ -37,7 +37,6 @@ impl<const TPDOS: usize, const RPDOS: usize, const MAPPED: usize> Pdos<TPDOS, RP
 }
 
 impl<const TPDOS: usize, const RPDOS: usize, const MAPPED: usize> Room for Pdos<TPDOS, RPDOS, MAPPED> {
-    #[inline]
     fn parts(&mut self) -> Parts<'_> {
         Parts {
             tpdos: &mut self.tpdos,

@@ -66,7 +66,6 @@ impl Rpdo {
     }
 
     /// The identifier; `None` while it is not received.
-    #[inline]
     pub(super) const fn id(&self) -> Option<CanId> {
         self.id
     }
@@ -130,7 +129,6 @@ impl Rpdo {
     }
 
     /// A SYNC came: what waits takes effect.
-    #[inline]
     pub(super) fn sync<D: Device>(&mut self, device: &mut D, pool: &[Mapped]) {
         if let Some(word) = self.waiting.take() {
             self.mapping.distribute(device, pool, word);

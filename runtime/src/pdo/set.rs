@@ -103,7 +103,6 @@ impl<R: Room> Set<R> {
     }
 
     /// A SYNC came, with a counter unless that is 0; its window ends at `window`. Says whether there is a TPDO to send.
-    #[inline]
     pub fn sync<D: Device>(&mut self, device: &mut D, counter: u8, window: Instant) -> bool {
         self.window = window;
         let Parts { tpdos, rpdos, mapped } = self.room.parts();
@@ -155,7 +154,6 @@ impl<R: Room> Set<R> {
     }
 
     /// The TPDO to send at `now`, the one with the lowest identifier first; and whether there are more.
-    #[inline]
     pub fn send<D: Device>(&mut self, now: Instant, device: &mut D) -> (Option<Frame>, bool) {
         let is_late = now > self.window;
         let Parts { tpdos, mapped, .. } = self.room.parts();
@@ -203,7 +201,6 @@ impl<R: Room> Set<R> {
     }
 
     /// When [`Set::expire`] has something to do; [`Instant::NEVER`] if no timer runs.
-    #[inline]
     #[must_use]
     pub const fn due(&self) -> Instant {
         self.due

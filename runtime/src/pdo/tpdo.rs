@@ -88,7 +88,6 @@ impl Tpdo {
     }
 
     /// The identifier; `None` while it is not sent.
-    #[inline]
     pub(super) const fn id(&self) -> Option<CanId> {
         self.id
     }
@@ -136,7 +135,6 @@ impl Tpdo {
     }
 
     /// A SYNC came, with a counter unless that is 0; says whether the PDO is to be sent.
-    #[inline]
     pub(super) fn sync<D: Device>(&mut self, device: &mut D, pool: &[Mapped], counter: u8) -> bool {
         match self.transmission_type {
             _ if self.id.is_none() => return false,
@@ -152,7 +150,6 @@ impl Tpdo {
     }
 
     /// Counts a SYNC; whether it was the last one to wait for.
-    #[inline]
     fn counts_down(&mut self, counter: u8) -> bool {
         if self.awaits_start && counter != 0 {
             if counter != self.sync_start_value {
@@ -191,13 +188,11 @@ impl Tpdo {
     }
 
     /// Whether it is to be sent, now or after its inhibit time.
-    #[inline]
     pub(super) const fn is_requested(&self) -> bool {
         self.is_requested
     }
 
     /// Whether its inhibit time is over.
-    #[inline]
     pub(super) fn may_be_sent(&self, now: Instant) -> bool {
         now >= self.inhibited_until
     }
@@ -208,7 +203,6 @@ impl Tpdo {
     }
 
     /// The frame, sent at `now`.
-    #[inline]
     pub(super) fn send<D: Device>(&mut self, now: Instant, device: &mut D, pool: &[Mapped]) -> Option<Frame> {
         self.is_requested = false;
         let word = match self.transmission_type {
