@@ -8,7 +8,7 @@ pub mod cia406_multi {
     use core::mem::offset_of;
     use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
-        Access, DataType, Extra, Row, ServiceSet, Table, Value, place,
+        Access, DataType, Extra, NumberSet, Row, ServiceSet, Table, Value, place,
     };
     /// The values of the dictionary, the widest first, so that nothing stands between them.
     #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -371,6 +371,7 @@ pub mod cia406_multi {
         type Buffer = [u8; 8];
         type Pdos = lexican_runtime::pdo::Pdos<2, 0, 2>;
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS);
+        const NUMBERS: NumberSet = NumberSet::of(&ROWS);
         #[inline]
         fn table(&self) -> Table<'_> {
             TABLE

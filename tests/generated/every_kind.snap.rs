@@ -8,8 +8,8 @@ pub mod every_kind {
     use core::mem::offset_of;
     use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
-        Access, Boolean, DataType, Extra, OctetString, Row, ServiceSet, Table, TimeOfDay,
-        Value, VisibleString, place, set_element,
+        Access, Boolean, DataType, Extra, NumberSet, OctetString, Row, ServiceSet, Table,
+        TimeOfDay, Value, VisibleString, place, set_element,
     };
     /// The values of the dictionary, the widest first, so that nothing stands between them.
     #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -656,6 +656,7 @@ pub mod every_kind {
         type Buffer = [u8; 100];
         type Pdos = lexican_runtime::pdo::Pdos<2, 0, 3>;
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS);
+        const NUMBERS: NumberSet = NumberSet::of(&ROWS);
         #[inline]
         fn table(&self) -> Table<'_> {
             TABLE

@@ -9,7 +9,8 @@ pub mod wdga_configured {
     use core::mem::offset_of;
     use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
-        Access, DataType, Extra, Row, ServiceSet, Table, Value, VisibleString, place,
+        Access, DataType, Extra, NumberSet, Row, ServiceSet, Table, Value, VisibleString,
+        place,
     };
     /// The values of the dictionary, the widest first, so that nothing stands between them.
     #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -559,6 +560,7 @@ pub mod wdga_configured {
         type Buffer = [u8; 32];
         type Pdos = lexican_runtime::pdo::Pdos<4, 0, 32>;
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS).with(ServiceSet::LSS);
+        const NUMBERS: NumberSet = NumberSet::of(&ROWS);
         #[inline]
         fn table(&self) -> Table<'_> {
             TABLE

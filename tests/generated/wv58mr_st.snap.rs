@@ -8,7 +8,7 @@ pub mod wv58mr_st {
     use core::mem::offset_of;
     use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
-        Access, DataType, Extra, Row, ServiceSet, Table, Value, place,
+        Access, DataType, Extra, NumberSet, Row, ServiceSet, Table, Value, place,
     };
     /// The values of the dictionary, the widest first, so that nothing stands between them.
     #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -307,6 +307,7 @@ pub mod wv58mr_st {
         type Buffer = [u8; 8];
         type Pdos = lexican_runtime::pdo::Pdos<2, 0, 4>;
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS).with(ServiceSet::LSS);
+        const NUMBERS: NumberSet = NumberSet::of(&ROWS);
         #[inline]
         fn table(&self) -> Table<'_> {
             TABLE

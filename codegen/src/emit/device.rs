@@ -59,6 +59,7 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
             type Pdos = lexican_runtime::pdo::Pdos<#tpdos, #rpdos, #mapped>;
 
             const SERVICES: ServiceSet = #services;
+            const NUMBERS: NumberSet = NumberSet::of(&ROWS);
 
             #[inline]
             fn table(&self) -> Table<'_> { TABLE }

@@ -29,6 +29,7 @@ fn runtime_names(plan: &Plan<'_>) -> Vec<&'static str> {
         (kinds(|kind| kind == Kind::Boolean), "Boolean"),
         (!plan.rows.is_empty(), "DataType"),
         (true, "Extra"),
+        (true, "NumberSet"),
         (kinds(|kind| matches!(kind, Kind::Octets(_))), "OctetString"),
         (true, "Row"),
         (true, "ServiceSet"),

@@ -177,7 +177,7 @@ impl Default for Producer {
 ///   [`CobId::check`] refuses.
 pub fn before_write<D: Device>(device: &D, address: Address, value: Value<'_>) -> Result<(), AbortCode> {
     match address {
-        history::COUNT if value.bits() != 0 => Err(AbortCode::INVALID_VALUE),
+        history::COUNT if value.to_u8() != 0 => Err(AbortCode::INVALID_VALUE),
         COB_ID_EMCY => check_cob_id(cob_id(device).unwrap_or_default(), CobId(value.to_u32())),
         _ => Ok(()),
     }

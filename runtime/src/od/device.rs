@@ -1,6 +1,6 @@
 //! What the services need of a device.
 
-use super::{ServiceSet, Table, Value};
+use super::{NumberSet, ServiceSet, Table, Value};
 use crate::{pdo::Room, AbortCode, Address, Event};
 
 /// A device: the dictionary that was generated for it, and the application behind it.
@@ -18,6 +18,9 @@ pub trait Device {
 
     /// The optional services that it has. All of them unless overridden: then the objects that exist at run time decide.
     const SERVICES: ServiceSet = ServiceSet::ALL;
+
+    /// The kinds of numbers that it has. All of them unless overridden.
+    const NUMBERS: NumberSet = NumberSet::ALL;
 
     /// The dictionary's entries.
     fn table(&self) -> Table<'_>;

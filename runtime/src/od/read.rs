@@ -1,6 +1,6 @@
 //! Reading a value: exists? access? handler? copy.
 
-use super::{Access, Device, Entry, Value};
+use super::{Access, Device, Entry, NumberSet, Value};
 use crate::{AbortCode, Address};
 
 /// What is at `address`, as a client reads it.
@@ -70,7 +70,7 @@ fn value<D: Device>(device: &D, entry: Entry) -> Option<Value<'_>> {
     if entry.data_type.length() == 0 {
         return string(bytes, detail, constant).map(Value::Bytes);
     }
-    let bits = bits(bytes, entry.data_type.width(), constant)?;
+    let bits = bits::<D>(bytes, entry.data_type.width(), constant)?;
     Some(Value::Number {
         bits,
         data_type: entry.data_type,
@@ -87,7 +87,7 @@ fn string(bytes: &[u8], detail: usize, constant: bool) -> Option<&[u8]> {
 }
 
 /// The number of `width` bytes at the start of `bytes`: a constant is little-endian, another one as the target has it.
-pub(super) fn bits(bytes: &[u8], width: usize, constant: bool) -> Option<u64> {
+pub(super) fn bits<D: Device>(bytes: &[u8], width: usize, constant: bool) -> Option<u64> {
     let swap = cfg!(target_endian = "big") && !constant;
     match width {
         1 => bytes.first().map(|byte| u64::from(*byte)),
@@ -99,6 +99,7 @@ pub(super) fn bits(bytes: &[u8], width: usize, constant: bool) -> Option<u64> {
             let bits = u32::from_le_bytes(*bytes.first_chunk()?);
             Some(u64::from(if swap { bits.swap_bytes() } else { bits }))
         }
+        _ if !D::NUMBERS.has(NumberSet::LONG) => None,
         6 => {
             // TIME_OF_DAY stands as on the bus, on every target.
             let [b0, b1, b2, b3, b4, b5] = *bytes.first_chunk()?;

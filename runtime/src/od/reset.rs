@@ -41,7 +41,7 @@ fn resolve<D: Device>(device: &mut D, entry: Entry, node_id: NodeId) {
         return;
     };
     let base = device.defaults().get(slot..);
-    let Some(base) = base.and_then(|bytes| read::bits(bytes, entry.data_type.width(), false)) else {
+    let Some(base) = base.and_then(|bytes| read::bits::<D>(bytes, entry.data_type.width(), false)) else {
         return;
     };
     let _ = write::put(device, entry, base.wrapping_add(u64::from(node_id.get())));

@@ -1,6 +1,6 @@
 //! Writing a value: exists? access? length? limits? service? handler? store. The first that says no names the abort code.
 
-use super::{limits, read, Access, Device, Entry, Services, Value};
+use super::{limits, read, Access, Device, Entry, NumberSet, Services, Value};
 use crate::{AbortCode, Address};
 
 /// Writes `data`, as it came from the bus, to `address`, as a client does.
@@ -94,7 +94,7 @@ pub fn set<D: Device>(device: &mut D, address: Address, data: &[u8]) -> Result<(
     check_length(device, entry, data.len())?;
     let stored = match entry.data_type.length() {
         0 => put_string(device, entry, data),
-        _ => put(device, entry, limits::widen(entry.data_type, number(data))),
+        _ => put(device, entry, limits::stored::<D>(entry.data_type, number(data))),
     };
     stored.ok_or(AbortCode::INTERNAL_INCOMPATIBILITY)
 }
@@ -106,7 +106,7 @@ pub(crate) fn store_number<D: Device>(
     entry: Entry,
     bits: u64,
 ) -> Result<(), AbortCode> {
-    let bits = limits::widen(entry.data_type, bits);
+    let bits = limits::stored::<D>(entry.data_type, bits);
     limits::check(device, entry, bits)?;
     let value = Value::Number {
         bits,
@@ -176,6 +176,7 @@ pub(super) fn put<D: Device>(device: &mut D, entry: Entry, bits: u64) -> Option<
         1 => *place.first_mut()? = b0,
         2 => *place.first_chunk_mut()? = u16::from_le_bytes([b0, b1]).to_ne_bytes(),
         4 => *place.first_chunk_mut()? = u32::from_le_bytes([b0, b1, b2, b3]).to_ne_bytes(),
+        _ if !D::NUMBERS.has(NumberSet::LONG) => return None,
         6 => *place.first_chunk_mut()? = [b0, b1, b2, b3, b4, b5],
         _ => *place.first_chunk_mut()? = bits.to_ne_bytes(),
     }
