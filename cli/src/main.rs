@@ -3,12 +3,14 @@
 //! | module | does |
 //! |---|---|
 //! | `commands` | one subcommand a file: its arguments and what it does with them |
+//! | `config` | `lexican.toml` |
 //! | `format` | one output format of `check` and `validate` a file |
 //! | `parallel`, `progress` | many files at once, and a bar for those who wait |
 //! | `input`, `output` | the only reading and writing of files and streams |
 //! | `failure` | why a command could not run, in one line |
 
 mod commands;
+mod config;
 mod failure;
 mod format;
 mod input;

@@ -32,6 +32,7 @@ use crate::{
 pub struct Builder {
     input: Input,
     module_name: Option<String>,
+    base: Levels,
     levels: Vec<(String, Level)>,
     options: Options,
 }
@@ -58,6 +59,7 @@ impl Builder {
         Self {
             input,
             module_name: None,
+            base: Levels::default(),
             levels: Vec::new(),
             options: Options::default(),
         }
@@ -108,13 +110,19 @@ impl Builder {
         self
     }
 
+    /// Starts from these levels of the rules; [`Builder::level`] changes them.
+    pub fn levels(mut self, levels: Levels) -> Self {
+        self.base = levels;
+        self
+    }
+
     /// Reads the file and generates the code; nothing is written and nothing printed.
     ///
     /// # Errors
     /// When the file cannot be read, when a rule denies it, when the builder names an object that is not in it, or when
     /// the dictionary is too large.
     pub fn generate(self) -> Result<Generated, Error> {
-        let levels = self.levels()?;
+        let levels = self.all_levels()?;
         let (name, bytes) = self.input.read()?;
         let reading = lexican_eds::read(name, bytes);
         let found = rules::check(&reading, &levels);
@@ -138,11 +146,15 @@ impl Builder {
         })
     }
 
-    fn levels(&self) -> Result<Levels, Error> {
-        self.levels.iter().try_fold(Levels::default(), |levels, (rule, level)| {
-            let change = LevelChange::new(rule, *level).map_err(Error::UnknownRule)?;
-            Ok(levels.with(change))
-        })
+    fn all_levels(&self) -> Result<Levels, Error> {
+        let changes = self
+            .levels
+            .iter()
+            .try_fold(Levels::default(), |levels, (rule, level)| {
+                let change = LevelChange::new(rule, *level).map_err(Error::UnknownRule)?;
+                Ok(levels.with(change))
+            })?;
+        Ok(self.base.clone().then(changes))
     }
 }
 

@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use lexican_eds::rules::{self, Levels};
 
-use super::{levels::LevelArguments, shown::ShownArguments};
+use super::{settings::SettingsArguments, shown::ShownArguments};
 use crate::{
     Verdict,
+    config::Settings,
     failure::Failure,
     format::{Printer, Rendered, Style, Subject},
     input::{self, Input},
@@ -30,7 +30,7 @@ pub(crate) struct Check {
     shown: ShownArguments,
 
     #[command(flatten)]
-    levels: LevelArguments,
+    settings: SettingsArguments,
 }
 
 const EXAMPLES: &str = "\
@@ -41,12 +41,17 @@ Examples:
 
 impl Check {
     pub(crate) fn run(self) -> Result<Verdict, Failure> {
-        let levels = self.levels.levels()?;
+        let (inputs, failures) = self.inputs();
+        let mut configs = self.settings.configs()?;
+        let with_settings = |input| Ok((configs.settings(&input)?, input));
+        let inputs: Vec<_> = inputs.into_iter().map(with_settings).collect::<Result<_, _>>()?;
         let style = self.shown.style();
         let mut printer = Printer::new(style, Subject::File)?;
-        let inputs = self.inputs(&mut printer);
+        for failure in failures {
+            printer.failure(failure);
+        }
         let mut progress = Progress::new(inputs.len(), !style.quiet);
-        let check = |input: Input| check(&input, &levels, style);
+        let check = |(settings, input): (Settings, Input)| check(&input, &settings, style);
         parallel::in_order(inputs, check, |checked| {
             progress.advance();
             match checked {
@@ -59,22 +64,23 @@ impl Check {
         printer.finish()
     }
 
-    /// The files, in the order of the arguments.
-    fn inputs(&self, printer: &mut Printer) -> Vec<Input> {
+    /// The files, in the order of the arguments, and why others are not among them.
+    fn inputs(&self) -> (Vec<Input>, Vec<Failure>) {
         let mut inputs = Vec::new();
+        let mut failures = Vec::new();
         for path in &self.paths {
             match input::expand(path) {
                 Ok(found) => inputs.extend(found),
-                Err(failure) => printer.failure(failure),
+                Err(failure) => failures.push(failure),
             }
         }
-        inputs
+        (inputs, failures)
     }
 }
 
 /// Reads the file and lets go of it: of a thousand files only what there is to say is kept.
-fn check(input: &Input, levels: &Levels, style: Style) -> Result<Rendered, Failure> {
+fn check(input: &Input, settings: &Settings, style: Style) -> Result<Rendered, Failure> {
     let reading = lexican_eds::read(input.name(), input.read()?);
-    let found = rules::check(&reading, levels);
+    let found = settings.check(&reading);
     Ok(style.render(reading.document.source(), found))
 }

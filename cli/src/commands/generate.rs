@@ -10,12 +10,11 @@ use lexican_codegen::{Builder, Error, Generated, Selector, Template};
 use lexican_eds::{
     diagnostic::{Diagnostic, Level},
     render::{Renderer, printable},
-    rules,
     source::Source,
 };
 
-use super::levels::LevelArguments;
-use crate::{Verdict, failure::Failure, format::Counts, input::Input, output};
+use super::settings::SettingsArguments;
+use crate::{Verdict, config::Settings, failure::Failure, format::Counts, input::Input, output};
 
 /// Generate a Rust dictionary from an EDS or DCF file
 ///
@@ -52,7 +51,7 @@ pub(crate) struct Generate {
     module: Option<String>,
 
     #[command(flatten)]
-    levels: LevelArguments,
+    settings: SettingsArguments,
 }
 
 const EXAMPLES: &str = "\
@@ -66,21 +65,21 @@ impl Generate {
         let input = Input::new(&self.file);
         let bytes = input.read()?;
         let reading = lexican_eds::read(input.name(), bytes.clone());
-        let found = rules::check(&reading, &self.levels.levels()?);
+        let settings = self.settings.of(&input)?;
+        let found = settings.check(&reading);
         let verdict = tell(reading.document.source(), &found);
         if verdict == Verdict::Clean {
-            let generated = self.generate(input.name(), bytes)?;
+            let generated = self.generate(input.name(), bytes, settings)?;
             let product = self.product(&generated)?;
             output::write(self.output.as_deref().unwrap_or(Path::new("-")), &product)?;
         }
         Ok(verdict)
     }
 
-    fn generate(&self, name: String, bytes: Vec<u8>) -> Result<Generated, Failure> {
-        let mut builder = Builder::from_bytes(name, bytes).handle(self.selectors()?);
-        for change in self.levels.changes()? {
-            builder = builder.level(change.selector(), change.level());
-        }
+    fn generate(&self, name: String, bytes: Vec<u8>, settings: Settings) -> Result<Generated, Failure> {
+        let mut builder = Builder::from_bytes(name, bytes)
+            .levels(settings.levels)
+            .handle(self.selectors()?);
         if let Some(name) = &self.module {
             builder = builder.module_name(name);
         }

@@ -3,7 +3,7 @@
 mod check;
 mod explain;
 mod generate;
-mod levels;
+mod settings;
 mod shown;
 mod validate;
 

@@ -3,18 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use lexican_eds::{
-    Reading,
-    diagnostic::Level,
-    document::Problem,
-    dump::Dump,
-    render,
-    rules::{self, Levels},
-};
+use lexican_eds::{Reading, diagnostic::Level, document::Problem, dump::Dump, render, rules};
 
-use super::{levels::LevelArguments, shown::ShownArguments};
+use super::{settings::SettingsArguments, shown::ShownArguments};
 use crate::{
     Verdict,
+    config::Settings,
     failure::{self, Failure},
     format::{Printer, Subject},
     input::Input,
@@ -37,7 +31,7 @@ pub(crate) struct Validate {
     shown: ShownArguments,
 
     #[command(flatten)]
-    levels: LevelArguments,
+    settings: SettingsArguments,
 }
 
 const EXAMPLES: &str = "\
@@ -48,7 +42,7 @@ Examples:
 
 impl Validate {
     pub(crate) fn run(self) -> Result<Verdict, Failure> {
-        let levels = self.levels.levels()?;
+        let settings = self.settings.of(&Input::new(&self.eds))?;
         if self.eds == self.dump {
             let path = self.eds.display();
             return Err(Failure::new(format!(
@@ -57,10 +51,10 @@ impl Validate {
         }
         let reading = self.read_eds()?;
         let dump = read_dump(&self.dump)?;
-        mention_own_findings(&reading);
+        mention_own_findings(&reading, &settings);
         let style = self.shown.style();
         let mut printer = Printer::new(style, Subject::Device)?;
-        let found = rules::validate(&reading, &dump, &levels);
+        let found = rules::validate(&reading, &dump, &settings.levels);
         printer.file(style.render(reading.document.source(), found))?;
         printer.finish()
     }
@@ -98,8 +92,8 @@ fn read_dump(path: &Path) -> Result<Dump, Failure> {
 }
 
 /// A file that is wrong itself makes wrong differences.
-fn mention_own_findings(reading: &Reading) {
-    let found = rules::check(reading, &Levels::default());
+fn mention_own_findings(reading: &Reading, settings: &Settings) {
+    let found = settings.check(reading);
     let errors = found
         .iter()
         .filter(|diagnostic| diagnostic.level == Level::Deny)

@@ -13,29 +13,48 @@ use crate::diagnostic::{Level, UnknownLevel};
 /// let levels = Levels::default().with("INI=allow".parse()?).with("INI002=deny".parse()?);
 /// let rule = rules::find("INI002").ok_or("no such rule")?;
 /// assert_eq!(levels.of(rule), Level::Deny);
+///
+/// let levels = levels.then(Levels::default().with("INI=note".parse()?));
+/// assert_eq!(levels.of(rule), Level::Note);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Levels {
-    changes: Vec<LevelChange>,
+    /// The last one that has something to say of a rule holds for it.
+    layers: Vec<Vec<LevelChange>>,
 }
 
 impl Levels {
     /// With one more change. A change of a code beats one of its family; of two alike the later holds.
     #[must_use]
     pub fn with(mut self, change: LevelChange) -> Self {
-        self.changes.push(change);
+        match self.layers.last_mut() {
+            Some(layer) => layer.push(change),
+            None => self.layers.push(vec![change]),
+        }
+        self
+    }
+
+    /// With the changes of `later`, which beat those that are here already: a family there a code here, too.
+    #[must_use]
+    pub fn then(mut self, later: Self) -> Self {
+        self.layers.extend(later.layers);
         self
     }
 
     /// The level that holds for `rule`.
     #[must_use]
     pub fn of(&self, rule: &Rule) -> Level {
-        let code = rule.code();
-        let last = |selector: &str| self.changes.iter().rev().find(|change| change.selector == selector);
-        let change = last(code.as_str()).or_else(|| last(code.family()));
+        let change = self.layers.iter().rev().find_map(|layer| change(layer, rule));
         change.map_or(rule.level(), |change| change.level)
     }
+}
+
+/// What `layer` has to say of `rule`.
+fn change<'a>(layer: &'a [LevelChange], rule: &Rule) -> Option<&'a LevelChange> {
+    let code = rule.code();
+    let last = |selector: &str| layer.iter().rev().find(|change| change.selector == selector);
+    last(code.as_str()).or_else(|| last(code.family()))
 }
 
 /// A new level for a rule or a family: `EDS004=warn`, `INI=allow`.
