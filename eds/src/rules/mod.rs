@@ -18,6 +18,7 @@ mod com;
 mod dev;
 mod dmp;
 mod eds;
+mod enc;
 mod ini;
 mod levels;
 mod manual;
@@ -39,29 +40,47 @@ use crate::{
     diagnostic::{Diagnostic, Level},
     document::{Document, Problem},
     dump::Dump,
+    ir::{Address, Dictionary, Value},
     span::Span,
 };
 pub(crate) use quote::{quoted, similar};
 pub(crate) use report::Report;
-pub(crate) use rule::{DictionaryRule, DocumentRule, DumpRule, ModelRule, ReadingRule, declare_rule};
+pub(crate) use rule::{DictionaryRule, DocumentRule, DumpRule, EncoderRule, ModelRule, ReadingRule, declare_rule};
 pub(crate) use unusual::{Unusual, octal_cure, unusual, value_name};
 
 /// Everything that is wrong with a file, in the order of the file; at one place, in the order of the codes.
 ///
-/// A rule at [`Level::Allow`] is not run.
+/// A rule at [`Level::Allow`] is not run, nor is one about another device profile than 1000h names.
 #[must_use]
 pub fn check(reading: &Reading, levels: &Levels) -> Vec<Diagnostic> {
+    check_as(reading, levels, profile(&reading.dictionary))
+}
+
+/// As [`check`], but the device is held against the rules of device profile `profile`, whatever its 1000h says: 406 stands for
+/// encoders, 0 for none.
+#[must_use]
+pub fn check_as(reading: &Reading, levels: &Levels, profile: u16) -> Vec<Diagnostic> {
     let document = &reading.document;
     // Of a file that is something else it is enough to say so.
     let foreign = matches!(document.problems(), [Problem::NotCanopen { .. }, ..]);
     let text = document.source().text();
     let mut found = collect(text, levels, |rule, report| {
         if !foreign || rule.is_about_text() {
-            rule.check(reading, report);
+            rule.check(reading, profile, report);
         }
     });
     name_sections(document, &mut found);
     found
+}
+
+/// The device profile that the low word of 1000h names (CiA 301, object 1000h); 0 for none, or when the file does not say.
+#[must_use]
+pub fn profile(dictionary: &Dictionary) -> u16 {
+    match dictionary.entry(Address::new(0x1000, 0)).map(|entry| &entry.default) {
+        #[expect(clippy::cast_possible_truncation, reason = "the profile is the low word")]
+        Some(Some(Value::Unsigned(device_type))) => *device_type as u16,
+        _ => 0,
+    }
 }
 
 /// Everything in which a device differs from its file, at the places of the file, ordered as by [`check`].

@@ -1,6 +1,6 @@
 //! The one table of rules, in the order of their codes. A code that dies is not given again: it moves to [`RETIRED`].
 
-use super::{Rule, com, dev, dmp, eds, ini, obj, pdo};
+use super::{Rule, com, dev, dmp, eds, enc, ini, obj, pdo};
 
 /// Rules that look at the same thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,6 +36,10 @@ pub(super) const FAMILIES: &[Family] = &[
     Family {
         letters: "DEV",
         title: "the device: `[DeviceInfo]`, held against the objects",
+    },
+    Family {
+        letters: "ENC",
+        title: "encoders: the objects of CiA 406",
     },
     Family {
         letters: "DMP",
@@ -147,6 +151,13 @@ const RULES: &[Rule] = &[
     Rule::reading::<dev::WrongSerialNumber>(),
     Rule::dictionary::<dev::WrongNumberOfPdos>(),
     Rule::reading::<dev::IncompleteLssAddress>(),
+    Rule::encoder::<enc::UnknownEncoderType>(),
+    Rule::encoder::<enc::MissingEncoderObject>(),
+    Rule::encoder::<enc::IncompleteClass>(),
+    Rule::encoder::<enc::WrongEncoderCode>(),
+    Rule::encoder::<enc::WrongEncoderType>(),
+    Rule::encoder::<enc::WrongEncoderAccess>(),
+    Rule::encoder::<enc::WrongEncoderMapping>(),
     Rule::dump::<dmp::MissingObject>(),
     Rule::dump::<dmp::UndeclaredObject>(),
     Rule::dump::<dmp::WrongLength>(),

@@ -1,6 +1,6 @@
 //! What a rule is: facts, documentation and a check, all in one file.
 
-use super::Report;
+use super::{Report, enc::Encoder};
 use crate::{
     Reading,
     diagnostic::{Code, Level},
@@ -36,6 +36,7 @@ pub(super) enum Check {
     Model(fn(&Eds, &mut Report)),
     Dictionary(fn(&Dictionary, &mut Report)),
     Reading(fn(&Reading, &mut Report)),
+    Encoder(fn(&Encoder<'_>, &mut Report)),
     Dump(fn(&Dictionary, &Dump, &mut Report)),
 }
 
@@ -62,6 +63,11 @@ pub(crate) trait DictionaryRule: Declared {
 /// Looks at several of these, or at what did not fit together on the way from one to the next.
 pub(crate) trait ReadingRule: Declared {
     fn check(reading: &Reading, report: &mut Report);
+}
+
+/// Looks at a device of profile CiA 406.
+pub(crate) trait EncoderRule: Declared {
+    fn check(encoder: &Encoder<'_>, report: &mut Report);
 }
 
 /// Looks at what a device answered, and at the dictionary of its file.
@@ -95,6 +101,13 @@ impl Rule {
         Self {
             facts: &R::FACTS,
             check: Check::Reading(R::check),
+        }
+    }
+
+    pub(super) const fn encoder<R: EncoderRule>() -> Self {
+        Self {
+            facts: &R::FACTS,
+            check: Check::Encoder(R::check),
         }
     }
 
@@ -155,14 +168,15 @@ impl Rule {
         self.code().family() == "INI"
     }
 
-    /// Looks at a file; a rule about dumps has nothing to look at.
-    pub(super) fn check(&self, reading: &Reading, report: &mut Report) {
+    /// Looks at a file as one of device profile `profile`; a rule about another profile or about dumps has nothing to look at.
+    pub(super) fn check(&self, reading: &Reading, profile: u16, report: &mut Report) {
         match self.check {
             Check::Document(check) => check(&reading.document, report),
             Check::Model(check) => check(&reading.eds, report),
             Check::Dictionary(check) => check(&reading.dictionary, report),
             Check::Reading(check) => check(reading, report),
-            Check::Dump(_) => {}
+            Check::Encoder(check) if profile == Encoder::PROFILE => check(&Encoder::new(&reading.dictionary), report),
+            Check::Encoder(_) | Check::Dump(_) => {}
         }
     }
 
