@@ -6,22 +6,26 @@
 //!
 //! * [`wire`]: bytes ↔ meaning, one message family a file, no state.
 //! * [`od`]: the object dictionary: a table in flash, values in one struct, access with the abort codes of CiA 301.
-//! * one service a file or folder: [`sdo`], [`nmt`], [`heartbeat`], [`emcy`], [`sync`], [`pdo`].
+//! * one service a file or folder: [`sdo`], [`nmt`], [`heartbeat`], [`guarding`], [`emcy`], [`sync`], [`time`],
+//!   [`pdo`].
 //! * [`Node`]: ties the services together: [`Node::receive`], [`Node::poll`], [`Node::poll_at`].
 
 #![no_std]
 
 pub mod emcy;
+pub mod guarding;
 pub mod heartbeat;
 pub mod nmt;
 pub mod od;
 pub mod pdo;
 pub mod sdo;
 pub mod sync;
+pub mod time;
 pub mod wire;
 
 mod abort;
 mod address;
+mod bus_state;
 mod event;
 mod instant;
 mod node;
@@ -29,6 +33,7 @@ mod node_id;
 
 pub use abort::AbortCode;
 pub use address::Address;
+pub use bus_state::BusState;
 pub use bytemuck;
 pub use event::{Event, Heard};
 pub use instant::Instant;

@@ -50,6 +50,12 @@ impl Slave {
         self.serves_sdo()
     }
 
+    /// Whether TIME is consumed: not in INITIALISING and STOPPED (CiA 301, 7.3.2.2).
+    #[must_use]
+    pub const fn consumes_time(&self) -> bool {
+        self.serves_sdo()
+    }
+
     /// Whether PDOs are exchanged: in OPERATIONAL only (CiA 301, 7.3.2.2).
     #[must_use]
     pub const fn exchanges_pdos(&self) -> bool {

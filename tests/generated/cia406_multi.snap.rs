@@ -370,6 +370,7 @@ pub mod cia406_multi {
     impl<H: Handlers> lexican_runtime::Device for Device<H> {
         type Buffer = [u8; 8];
         type Pdos = lexican_runtime::pdo::Pdos<2, 0, 2>;
+        type Watches = [lexican_runtime::heartbeat::Watch; 0];
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS);
         const NUMBERS: NumberSet = NumberSet::of(&ROWS);
         #[inline]
@@ -395,6 +396,10 @@ pub mod cia406_multi {
         #[inline]
         fn pdos(&self) -> Self::Pdos {
             Self::Pdos::EMPTY
+        }
+        #[inline]
+        fn watches(&self) -> Self::Watches {
+            [lexican_runtime::heartbeat::Watch::NOBODY; 0]
         }
         #[inline]
         fn event(&mut self, event: Event) {

@@ -655,6 +655,7 @@ pub mod every_kind {
     impl<H: Handlers> lexican_runtime::Device for Device<H> {
         type Buffer = [u8; 100];
         type Pdos = lexican_runtime::pdo::Pdos<2, 0, 3>;
+        type Watches = [lexican_runtime::heartbeat::Watch; 0];
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS);
         const NUMBERS: NumberSet = NumberSet::of(&ROWS);
         #[inline]
@@ -680,6 +681,10 @@ pub mod every_kind {
         #[inline]
         fn pdos(&self) -> Self::Pdos {
             Self::Pdos::EMPTY
+        }
+        #[inline]
+        fn watches(&self) -> Self::Watches {
+            [lexican_runtime::heartbeat::Watch::NOBODY; 0]
         }
         #[inline]
         fn event(&mut self, event: Event) {

@@ -559,6 +559,7 @@ pub mod wdga_configured {
     impl<H: Handlers> lexican_runtime::Device for Device<H> {
         type Buffer = [u8; 32];
         type Pdos = lexican_runtime::pdo::Pdos<4, 0, 32>;
+        type Watches = [lexican_runtime::heartbeat::Watch; 1];
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS).with(ServiceSet::LSS);
         const NUMBERS: NumberSet = NumberSet::of(&ROWS);
         #[inline]
@@ -584,6 +585,10 @@ pub mod wdga_configured {
         #[inline]
         fn pdos(&self) -> Self::Pdos {
             Self::Pdos::EMPTY
+        }
+        #[inline]
+        fn watches(&self) -> Self::Watches {
+            [lexican_runtime::heartbeat::Watch::NOBODY; 1]
         }
         #[inline]
         fn event(&mut self, event: Event) {

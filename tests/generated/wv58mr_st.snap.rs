@@ -306,6 +306,7 @@ pub mod wv58mr_st {
     impl<H: Handlers> lexican_runtime::Device for Device<H> {
         type Buffer = [u8; 8];
         type Pdos = lexican_runtime::pdo::Pdos<2, 0, 4>;
+        type Watches = [lexican_runtime::heartbeat::Watch; 0];
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS).with(ServiceSet::LSS);
         const NUMBERS: NumberSet = NumberSet::of(&ROWS);
         #[inline]
@@ -331,6 +332,10 @@ pub mod wv58mr_st {
         #[inline]
         fn pdos(&self) -> Self::Pdos {
             Self::Pdos::EMPTY
+        }
+        #[inline]
+        fn watches(&self) -> Self::Watches {
+            [lexican_runtime::heartbeat::Watch::NOBODY; 0]
         }
         #[inline]
         fn event(&mut self, event: Event) {

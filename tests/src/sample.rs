@@ -176,6 +176,7 @@ pub mod device {
     impl<H: Handlers> lexican_runtime::Device for Device<H> {
         type Buffer = [u8; 60];
         type Pdos = lexican_runtime::pdo::Pdos<0, 0, 0>;
+        type Watches = [lexican_runtime::heartbeat::Watch; 0];
 
         #[inline]
         fn table(&self) -> Table<'_> {
@@ -205,6 +206,11 @@ pub mod device {
         #[inline]
         fn pdos(&self) -> Self::Pdos {
             Self::Pdos::EMPTY
+        }
+
+        #[inline]
+        fn watches(&self) -> Self::Watches {
+            []
         }
 
         fn before_read(&mut self, address: Address) -> Result<(), AbortCode> {

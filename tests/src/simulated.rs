@@ -1,9 +1,10 @@
 //! A device that is put together while the test runs: slow, and about any dictionary.
 
 use lexican_eds::ir;
+use lexican_runtime::heartbeat::Watch;
 use lexican_runtime::od::{Access, DataType, Device, Entry, Extra, Table, Value, bucket_of, place_of};
 use lexican_runtime::pdo::{Mapped, Parts, Room, Rpdo, Tpdo};
-use lexican_runtime::{AbortCode, Address};
+use lexican_runtime::{AbortCode, Address, Event};
 
 /// A value that a simulated device is to have.
 #[derive(Clone, Debug)]
@@ -126,6 +127,7 @@ pub struct Simulated {
     defaults: Vec<u8>,
     longest: usize,
     dummy_usage: u8,
+    told: Vec<Event>,
 }
 
 impl Simulated {
@@ -137,6 +139,12 @@ impl Simulated {
         device.place(&entries);
         device.values.clone_from(&device.defaults);
         device
+    }
+
+    /// What its application was told, the oldest first.
+    #[must_use]
+    pub fn told(&self) -> &[Event] {
+        &self.told
     }
 
     /// The device of an EDS file.
@@ -250,6 +258,7 @@ fn widened(data_type: DataType, bytes: &[u8]) -> Vec<u8> {
 impl Device for Simulated {
     type Buffer = Vec<u8>;
     type Pdos = SimulatedPdos;
+    type Watches = Vec<Watch>;
 
     fn table(&self) -> Table<'_> {
         Table {
@@ -293,8 +302,17 @@ impl Device for Simulated {
         }
     }
 
+    fn watches(&self) -> Self::Watches {
+        let watched = |entry: &&Entry| entry.index == 0x1016 && entry.sub != 0;
+        vec![Watch::NOBODY; self.places.iter().filter(watched).count()]
+    }
+
     fn dummy_usage(&self) -> u8 {
         self.dummy_usage
+    }
+
+    fn event(&mut self, event: Event) {
+        self.told.push(event);
     }
 
     fn before_read(&mut self, _: Address) -> Result<(), AbortCode> {

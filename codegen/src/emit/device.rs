@@ -49,6 +49,7 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
     let buffer = number(&plan.buffer().to_string());
     let pdos = plan.pdos();
     let [tpdos, rpdos, mapped] = [pdos.tpdos, pdos.rpdos, pdos.mapped].map(|count| number(&count.to_string()));
+    let watches = number(&plan.watches().to_string());
     let dummy_usage = dummy_usage(pdos.dummy_usage);
     let services = services(plan);
     let read = reads.first(&quote!());
@@ -57,6 +58,8 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
         impl<H: Handlers> lexican_runtime::Device for Device<H> {
             type Buffer = [u8; #buffer];
             type Pdos = lexican_runtime::pdo::Pdos<#tpdos, #rpdos, #mapped>;
+
+            type Watches = [lexican_runtime::heartbeat::Watch; #watches];
 
             const SERVICES: ServiceSet = #services;
             const NUMBERS: NumberSet = NumberSet::of(&ROWS);
@@ -78,6 +81,9 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
 
             #[inline]
             fn pdos(&self) -> Self::Pdos { Self::Pdos::EMPTY }
+
+            #[inline]
+            fn watches(&self) -> Self::Watches { [lexican_runtime::heartbeat::Watch::NOBODY; #watches] }
 
             #dummy_usage
 

@@ -112,6 +112,13 @@ impl<'a> Plan<'a> {
         Pdos::of(self.dictionary)
     }
 
+    /// How many nodes' heartbeats may be watched: the sub-indices of 1016h.
+    pub(crate) fn watches(&self) -> usize {
+        let addresses = self.rows.iter().map(|row| row.entry.address);
+        let watches = addresses.filter(|address| address.index == 0x1016 && address.sub != 0);
+        watches.count()
+    }
+
     /// Whether the device has the layer setting services.
     pub(crate) fn supports_lss(&self) -> bool {
         self.dictionary.device.lss_supported

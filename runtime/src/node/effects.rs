@@ -2,9 +2,9 @@
 
 use super::pending::Pending;
 use crate::{
-    emcy,
-    od::{Device, Services, Value},
-    pdo, sync, AbortCode, Address,
+    emcy, heartbeat,
+    od::{Device, ServiceSet, Services, Value},
+    pdo, sync, time, AbortCode, Address,
 };
 
 /// Asks each service that has objects, and notes that they have changed. Not inlined: writes to other objects, the most,
@@ -19,6 +19,12 @@ impl<R: pdo::Room> Services for Effects<'_, R> {
     fn before_write<D: Device>(&mut self, device: &D, address: Address, value: Value<'_>) -> Result<(), AbortCode> {
         emcy::before_write(device, address, value)?;
         sync::before_write(device, address, value)?;
+        if D::SERVICES.has(ServiceSet::HEARTBEAT_CONSUMER) {
+            heartbeat::before_write(device, address, value)?;
+        }
+        if D::SERVICES.has(ServiceSet::TIME) {
+            time::before_write(device, address, value)?;
+        }
         pdo::before_write(device, address, value)
     }
 

@@ -2,10 +2,10 @@
 
 use super::{Node, Pending};
 use crate::{
-    od::Device,
-    sync,
-    wire::{emcy::Emergency, Frame},
-    Address, Instant,
+    od::{Device, ServiceSet},
+    sync, time,
+    wire::{emcy::Emergency, nmt::NmtState, Frame},
+    Address, Event, Instant,
 };
 
 impl<D: Device> Node<D> {
@@ -30,6 +30,12 @@ impl<D: Device> Node<D> {
     /// Takes a frame that may be SYNC, an RPDO, or a request for a TPDO; in OPERATIONAL only.
     #[inline(never)]
     pub(super) fn receive_other(&mut self, now: Instant, frame: &Frame) {
+        if self.nmt.state() == NmtState::Initialising
+            || self.receive_error_control(now, frame)
+            || self.receive_time(frame)
+        {
+            return;
+        }
         if !self.nmt.exchanges_pdos() {
             return;
         }
@@ -51,6 +57,19 @@ impl<D: Device> Node<D> {
                 self.tell_pdos(is_requested);
             }
         }
+    }
+
+    /// Takes a frame that may be TIME, in PRE-OPERATIONAL and OPERATIONAL; says whether it was.
+    fn receive_time(&mut self, frame: &Frame) -> bool {
+        if !D::SERVICES.has(ServiceSet::TIME) || !self.nmt.consumes_time() {
+            return false;
+        }
+        let time = frame.data_id().and_then(|id| time::receive(&self.device, id, frame));
+        if let Some(time) = time {
+            self.device.event(Event::Time(time));
+            self.pending.add(Pending::CONFIGURATION);
+        }
+        time.is_some()
     }
 
     /// A SYNC of the wrong length is reported and not taken (CiA 301, 7.5.2.19).
@@ -147,7 +166,7 @@ impl<D: Device> Node<D> {
 
     /// Raises or clears an emergency.
     #[cold]
-    fn report(&mut self, emergency: Emergency, stands: bool) {
+    pub(super) fn report(&mut self, emergency: Emergency, stands: bool) {
         if stands {
             self.raise_emergency(emergency);
         } else {

@@ -2,6 +2,7 @@
 
 mod dispatch;
 mod effects;
+mod error_control;
 mod exchange;
 mod pending;
 
@@ -10,7 +11,7 @@ use effects::Effects;
 use pending::Pending;
 
 use crate::{
-    emcy,
+    emcy, guarding,
     heartbeat::{self, PRODUCER_HEARTBEAT_TIME},
     nmt,
     od::{self, Device, Reset, Value},
@@ -21,7 +22,7 @@ use crate::{
         nmt::{NmtCommand, NmtState},
         CanId, Frame,
     },
-    AbortCode, Address, Event, Instant, NodeId,
+    AbortCode, Address, BusState, Event, Instant, NodeId,
 };
 
 /// A CANopen slave.
@@ -36,6 +37,9 @@ pub struct Node<D: Device> {
     nmt: nmt::Slave,
     emcy: emcy::Producer,
     heartbeat: heartbeat::Producer,
+    consumers: heartbeat::Consumers<D::Watches>,
+    guarding: guarding::Slave,
+    bus_state: BusState,
     sync: sync::Producer,
     sync_consumer: sync::Consumer,
     pdos: pdo::Set<D::Pdos>,
@@ -62,12 +66,16 @@ impl<D: Device> Node<D> {
         let buffer = device.buffer();
         let mut pdos = pdo::Set::new(&device, device.pdos());
         pdos.reset();
+        let consumers = heartbeat::Consumers::new(device.watches());
         Self {
             device,
             id: node_id,
             nmt: nmt::Slave::new(),
             emcy: emcy::Producer::new(),
             heartbeat: heartbeat::Producer::new(),
+            consumers,
+            guarding: guarding::Slave::new(),
+            bus_state: BusState::Active,
             sync: sync::Producer::new(),
             sync_consumer: sync::Consumer::default(),
             pdos,
@@ -247,6 +255,8 @@ impl<D: Device> Node<D> {
         self.end_transfer();
         self.emcy.reset(&mut self.device);
         self.heartbeat = heartbeat::Producer::new();
+        self.consumers.reset();
+        self.guarding = guarding::Slave::new();
         self.sync = sync::Producer::new();
         self.pdos.reset();
         self.faults = pdo::Faults::default();
@@ -276,6 +286,9 @@ impl<D: Device> Node<D> {
         if self.pending.take(Pending::BOOT_UP) {
             return Some(self.boot_up(now));
         }
+        if self.pending.take(Pending::START_ALL) {
+            return wire::nmt::Request::START_ALL.emit();
+        }
         if self.pending.take(Pending::CONFIGURATION) {
             self.configure(now);
         }
@@ -300,6 +313,9 @@ impl<D: Device> Node<D> {
         if self.pending.has(Pending::SDO) {
             return Some(self.send_response());
         }
+        if self.pending.take(Pending::GUARDING) {
+            return Some(self.send_guarding(now));
+        }
         if self.pending.take(Pending::HEARTBEAT) {
             return Some(wire::heartbeat::emit(self.id, self.nmt.state()));
         }
@@ -315,6 +331,8 @@ impl<D: Device> Node<D> {
         let period = self.heartbeat_time();
         self.heartbeat.start(now, period);
         self.configure_exchange(now);
+        self.configure_error_control();
+        self.start_up();
         self.tell_emergencies();
         self.schedule();
         frame
@@ -342,6 +360,7 @@ impl<D: Device> Node<D> {
         let period = self.heartbeat_time();
         self.heartbeat.configure(now, period);
         self.configure_exchange(now);
+        self.configure_error_control();
         self.schedule();
     }
 
@@ -367,6 +386,7 @@ impl<D: Device> Node<D> {
             self.tell_emergencies();
         }
         self.expire_exchange(now);
+        self.expire_error_control(now);
         self.schedule();
     }
 
@@ -374,7 +394,8 @@ impl<D: Device> Node<D> {
     #[inline]
     fn schedule(&mut self) {
         let timers = self.heartbeat.due().min(self.emcy.due());
-        self.timers = timers.min(self.sync.due()).min(self.pdos.due());
+        let timers = timers.min(self.sync.due()).min(self.pdos.due());
+        self.timers = timers.min(self.consumers.due()).min(self.guarding.due());
         self.due = self.sdo.due().min(self.timers);
     }
 }

@@ -20,6 +20,10 @@ impl Pending {
     pub(super) const SDO: Self = Self(0x0020);
     /// A heartbeat.
     pub(super) const HEARTBEAT: Self = Self(0x0040);
+    /// The answer to node guarding.
+    pub(super) const GUARDING: Self = Self(0x0080);
+    /// The command that starts all nodes.
+    pub(super) const START_ALL: Self = Self(0x0100);
 
     pub(super) fn add(&mut self, other: Self) {
         self.0 |= other.0;

@@ -1,7 +1,7 @@
 //! What the services need of a device.
 
 use super::{NumberSet, ServiceSet, Table, Value};
-use crate::{pdo::Room, AbortCode, Address, Event};
+use crate::{heartbeat::Watch, pdo::Room, AbortCode, Address, Event};
 
 /// A device: the dictionary that was generated for it, and the application behind it.
 ///
@@ -15,6 +15,9 @@ pub trait Device {
 
     /// Room for the PDOs that the dictionary has objects for: [`Pdos`](crate::pdo::Pdos).
     type Pdos: Room;
+
+    /// Room for the nodes whose heartbeats are watched, `[Watch; N]`: one for each sub-index of 1016h.
+    type Watches: AsRef<[Watch]> + AsMut<[Watch]>;
 
     /// The optional services that it has. All of them unless overridden: then the objects that exist at run time decide.
     const SERVICES: ServiceSet = ServiceSet::ALL;
@@ -39,6 +42,9 @@ pub trait Device {
 
     /// Room for the PDOs, not used yet.
     fn pdos(&self) -> Self::Pdos;
+
+    /// Room for the nodes that are watched, not used yet.
+    fn watches(&self) -> Self::Watches;
 
     /// The data types that may stand in an RPDO's mapping for bits that mean nothing (`[DummyUsage]` of an EDS): bit 1 for
     /// 0001h, up to bit 7 for 0007h. None unless overridden.

@@ -51,6 +51,14 @@ pub fn number<D: Device>(device: &D, address: Address) -> Option<u64> {
     }
 }
 
+/// [`number`] of a parameter of at most 32 bits; 0 for a device without it.
+#[inline]
+pub fn parameter<D: Device>(device: &D, address: Address) -> u32 {
+    number(device, address)
+        .and_then(|bits| u32::try_from(bits).ok())
+        .unwrap_or(0)
+}
+
 /// Why there is no entry at `address`.
 #[cold]
 pub(super) fn absent<D: Device>(device: &D, address: Address) -> AbortCode {

@@ -152,6 +152,12 @@ impl TimeOfDay {
         u32::from_le_bytes([m0, m1, m2, m3]) & 0x0FFF_FFFF
     }
 
+    /// The time that six bytes say, as on the bus; the four highest bits of the milliseconds are reserved, and kept.
+    #[must_use]
+    pub const fn from_bytes(bytes: [u8; 6]) -> Self {
+        Self(bytes)
+    }
+
     /// The six bytes, as on the bus.
     #[must_use]
     pub const fn to_bytes(self) -> [u8; 6] {

@@ -20,6 +20,14 @@ pub struct Emergency {
 impl Emergency {
     /// 0000h: an error is gone.
     pub const ERROR_RESET: u16 = 0x0000;
+    /// 8110h: frames were lost, because they came faster than they were taken.
+    pub const CAN_OVERRUN: u16 = 0x8110;
+    /// 8120h: the CAN controller is error passive.
+    pub const CAN_PASSIVE: u16 = 0x8120;
+    /// 8130h: a heartbeat that is watched, or node guarding, has ceased.
+    pub const LIFE_GUARD: u16 = 0x8130;
+    /// 8140h: the node was off the bus, and is back.
+    pub const BUS_OFF_RECOVERED: u16 = 0x8140;
     /// 8210h: an RPDO was not processed, because it was too short.
     pub const PDO_LENGTH_ERROR: u16 = 0x8210;
     /// 8240h: a SYNC message had another length than 1019h asks for.

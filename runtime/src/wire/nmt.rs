@@ -114,6 +114,12 @@ pub struct Request {
 }
 
 impl Request {
+    /// Start, to all nodes: `000#0100`.
+    pub const START_ALL: Self = Self {
+        command: NmtCommand::Start,
+        recipient: Recipient::All,
+    };
+
     /// The data of a frame with CAN-ID 000h. `None` for an unknown command, a node above 127, and fewer than two bytes;
     /// bytes beyond the second mean nothing.
     #[must_use]

@@ -1,4 +1,4 @@
-//! The heartbeat producer (CiA 301, 7.2.8.3.2.2 and object 1017h).
+//! The heartbeat producer (object 1017h).
 //!
 //! The boot-up message is the first heartbeat of a node that is configured for one. Configured later, it starts at once.
 
