@@ -56,6 +56,12 @@ impl<D: Device> Node<D> {
         }
     }
 
+    /// The state of the CAN controller, as [`Node::set_bus_state`] told it last.
+    #[must_use]
+    pub const fn bus_state(&self) -> BusState {
+        self.bus_state
+    }
+
     /// The driver has lost frames: they came faster than they were taken. An emergency message says so, 8110h.
     pub fn report_overrun(&mut self) {
         self.mention(Emergency::CAN_OVERRUN);

@@ -203,6 +203,12 @@ impl<D: Device> Node<D> {
         cleared
     }
 
+    /// Whether the error `code` was raised and not cleared since, by the application or by a service.
+    #[must_use]
+    pub fn is_error_standing(&self, code: u16) -> bool {
+        self.emcy.is_standing(code)
+    }
+
     /// Obeys an NMT command as if it came from the master.
     pub fn obey(&mut self, command: NmtCommand) {
         let before = self.nmt.state();
