@@ -22,41 +22,59 @@ pub(super) struct Service<'a> {
     pub(super) name: String,
     /// Whether the device sends under the CAN-ID.
     pub(super) sends: bool,
+    /// Its CAN-ID in the predefined connection set, if it is in there.
+    pub(super) predefined: Option<CanId>,
     pub(super) can_id: CanId,
     pub(super) entry: &'a Entry,
 }
 
+impl Service<'_> {
+    /// Whether all devices of the kind have the CAN-ID of one node.
+    pub(super) fn is_fixed(&self) -> bool {
+        let predefined = self.predefined.filter(|predefined| predefined.with_node_id);
+        let of_some_node = |predefined: CanId| (predefined.base..=predefined.base + 127).contains(&self.can_id.base);
+        !self.entry.configured && !self.can_id.with_node_id && predefined.is_some_and(of_some_node)
+    }
+}
+
 /// The services that exist after power-on and whose CAN-ID has 11 bits.
 pub(super) fn services(dictionary: &Dictionary) -> Vec<Service<'_>> {
-    let single = |index: u16| dictionary.object(index)?.entry(0);
-    let mut candidates = vec![
-        ("SYNC".to_owned(), true, single(0x1005)),
-        ("TIME".to_owned(), true, single(0x1012)),
-        ("EMCY".to_owned(), true, single(0x1014)),
-    ];
-    for (direction, kind) in [(Direction::Receive, "RPDO"), (Direction::Transmit, "TPDO")] {
-        candidates.extend(dictionary.pdos(direction).map(|pdo| {
+    let mut services = Vec::new();
+    for (index, name, base, with_node_id) in [
+        (0x1005, "SYNC", 0x80, false),
+        (0x1012, "TIME", 0x100, false),
+        (0x1014, "EMCY", 0x80, true),
+    ] {
+        let entry = dictionary.object(index).and_then(|object| object.entry(0));
+        let predefined = Some(CanId { base, with_node_id });
+        services.extend(service(name.to_owned(), true, predefined, entry));
+    }
+    for (direction, kind, first) in [
+        (Direction::Receive, "RPDO", 0x200),
+        (Direction::Transmit, "TPDO", 0x180),
+    ] {
+        services.extend(dictionary.pdos(direction).filter_map(|pdo| {
             let entry = pdo.communication.and_then(|object| object.entry(1));
-            (
-                format!("{kind} {}", pdo.number),
-                direction == Direction::Transmit,
-                entry,
-            )
+            let name = format!("{kind} {}", pdo.number);
+            let predefined = (pdo.number <= 4).then(|| CanId {
+                base: first + 0x100 * (pdo.number - 1),
+                with_node_id: true,
+            });
+            service(name, direction == Direction::Transmit, predefined, entry)
         }));
     }
-    let known = candidates.into_iter();
-    known
-        .filter_map(|(name, sends, entry)| {
-            let entry = entry?;
-            let can_id = can_id(entry.default.as_ref()?)?;
-            Some(Service {
-                name,
-                sends,
-                can_id,
-                entry,
-            })
-        })
-        .collect()
+    services
+}
+
+fn service(name: String, sends: bool, predefined: Option<CanId>, entry: Option<&Entry>) -> Option<Service<'_>> {
+    let entry = entry?;
+    Some(Service {
+        name,
+        sends,
+        predefined,
+        can_id: can_id(entry.default.as_ref()?)?,
+        entry,
+    })
 }
 
 fn can_id(value: &Value) -> Option<CanId> {

@@ -54,6 +54,6 @@ impl DictionaryRule for DuplicateCobId {
 }
 
 /// Whether it has a CAN-ID: 0 is that of NMT, which is COM003.
-fn is_given(service: &Service<'_>) -> bool {
+pub(super) fn is_given(service: &Service<'_>) -> bool {
     service.can_id.base != 0 || service.can_id.with_node_id
 }

@@ -34,7 +34,8 @@ declare_rule! {
 
 impl DictionaryRule for RestrictedCanId {
     fn check(dictionary: &Dictionary, report: &mut Report) {
-        for service in services(dictionary) {
+        // A number without $NODEID, where the node-ID is to be added, is COM014.
+        for service in services(dictionary).into_iter().filter(|service| !service.is_fixed()) {
             if let Some(owner) = owner(service.can_id) {
                 let (name, place) = (service.name, service.entry.spans.default);
                 let value = report.quote(place);
@@ -47,7 +48,7 @@ impl DictionaryRule for RestrictedCanId {
 }
 
 /// Whose the CAN-ID is, for node 1 if it is a formula.
-fn owner(can_id: CanId) -> Option<&'static str> {
+pub(super) fn owner(can_id: CanId) -> Option<&'static str> {
     match can_id.base + u16::from(can_id.with_node_id) {
         0x000 => Some("that of NMT"),
         0x581..=0x5FF | 0x601..=0x67F => Some("one of SDO"),

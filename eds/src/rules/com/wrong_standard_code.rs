@@ -7,7 +7,7 @@ use crate::{
 
 declare_rule! {
     /// ## What it does
-    /// Finds communication objects whose ObjectType is not the one that CiA 301 gives them. An array described as a record, and the
+    /// Finds communication objects whose ObjectType is not the one that CiA 301, CiA 302 or EN 50325-5 gives them. An array described as a record, and the
     /// other way round, is left alone: a client does not see the difference.
     ///
     /// ## Why it matters
@@ -29,7 +29,7 @@ declare_rule! {
     /// ```
     ///
     /// ## Reference
-    /// CiA 301, objects 1000h to 1BFFh; CANchkEDS V33
+    /// CiA 301 and CiA 302, objects 1000h to 1FFFh; CANchkEDS V33
     pub(crate) WrongStandardCode { code: "COM005", level: Level::Warn, since: "0.1.0" }
 }
 
@@ -51,11 +51,11 @@ impl ReadingRule for WrongStandardCode {
                 standard.code.name(),
                 standard.code.number(),
             );
-            let name = standard.name;
+            let (name, document) = (standard.name, standard.document);
             report
                 .at(
                     at,
-                    format!("{index:04X}h, {name}, has ObjectType {found}; CiA 301 gives it {expected}"),
+                    format!("{index:04X}h, {name}, has ObjectType {found}; {document} gives it {expected}"),
                 )
                 .help(format!("describe it with `ObjectType=0x{number:X}`"));
         }

@@ -1,4 +1,4 @@
-use super::standard::standard;
+use super::standard::{field, standard};
 use crate::{
     diagnostic::Level,
     ir::{DataType, Dictionary, Entry, Object},
@@ -7,7 +7,7 @@ use crate::{
 
 declare_rule! {
     /// ## What it does
-    /// Finds communication objects whose data type is not the one that CiA 301 gives them.
+    /// Finds communication objects whose data type is not the one that CiA 301, CiA 302 or EN 50325-5 gives them.
     ///
     /// ## Why it matters
     /// Masters write these objects by the standard, without looking into the file: a device made from the file refuses the length
@@ -28,7 +28,7 @@ declare_rule! {
     /// ```
     ///
     /// ## Reference
-    /// CiA 301, objects 1000h to 1BFFh; CANchkEDS V30
+    /// CiA 301 and CiA 302, objects 1000h to 1FFFh; CANchkEDS V30
     pub(crate) WrongStandardType { code: "COM002", level: Level::Warn, since: "0.1.0" }
 }
 
@@ -50,8 +50,9 @@ impl DictionaryRule for WrongStandardType {
             };
             let (address, found, name, number) =
                 (entry.address, entry.data_type.name(), expected.name(), expected.index());
+            let document = standard(address.index).map_or("the standard", |standard| standard.document);
             report
-                .at(at, format!("{address} is {found}; CiA 301 gives it {name}"))
+                .at(at, format!("{address} is {found}; {document} gives it {name}"))
                 .help(format!("write `DataType=0x{number:04X}`"));
         }
     }
@@ -59,7 +60,7 @@ impl DictionaryRule for WrongStandardType {
 
 /// The standard's type, where it is another one.
 fn expected(entry: &Entry) -> Option<DataType> {
-    let expected = standard(entry.address.index)?.data_type(entry.address)?;
+    let expected = field(entry.address)?.data_type?;
     // A type that cannot be read is lowered to DOMAIN, and was reported.
     (entry.data_type != expected && entry.data_type != DataType::Domain).then_some(expected)
 }
