@@ -12,6 +12,7 @@ pub mod emcy;
 pub mod heartbeat;
 pub mod nmt;
 pub mod sdo;
+pub mod slcan;
 pub mod sync;
 
 mod can_id;
