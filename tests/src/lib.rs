@@ -5,6 +5,8 @@ pub mod client;
 pub mod complete;
 pub mod corpus;
 pub mod dialogue;
+#[cfg(unix)]
+pub mod emulator;
 pub mod generated;
 pub mod line;
 pub mod network;
