@@ -33,8 +33,8 @@ impl Consumer {
     pub fn new<D: Device>(device: &D) -> Self {
         Self {
             id: cob_id(device).and_then(CobId::can_id),
-            counts: parameter(device, COUNTER_OVERFLOW) != 0,
-            window: parameter(device, WINDOW_LENGTH),
+            counts: od::parameter(device, COUNTER_OVERFLOW) != 0,
+            window: od::parameter(device, WINDOW_LENGTH),
         }
     }
 
@@ -69,7 +69,7 @@ impl Consumer {
 pub fn before_write<D: Device>(device: &D, address: Address, value: Value<'_>) -> Result<(), AbortCode> {
     match address {
         COB_ID_SYNC => check_cob_id(cob_id(device).unwrap_or_default(), CobId(value.to_u32())),
-        COUNTER_OVERFLOW => check_overflow(parameter(device, CYCLE_PERIOD), value.to_u8()),
+        COUNTER_OVERFLOW => check_overflow(od::parameter(device, CYCLE_PERIOD), value.to_u8()),
         _ => Ok(()),
     }
 }
@@ -90,14 +90,7 @@ fn check_overflow(period: u32, overflow: u8) -> Result<(), AbortCode> {
 }
 
 fn cob_id<D: Device>(device: &D) -> Option<CobId> {
-    let bits = od::number(device, COB_ID_SYNC)?;
-    u32::try_from(bits).ok().map(CobId)
-}
-
-/// A parameter; 0 for a device without it.
-fn parameter<D: Device>(device: &D, address: Address) -> u32 {
-    let value = od::number(device, address);
-    value.and_then(|value| u32::try_from(value).ok()).unwrap_or(0)
+    od::configured(device, COB_ID_SYNC).map(CobId)
 }
 
 /// When to send the next SYNC.
@@ -124,7 +117,11 @@ impl Producer {
     /// Looks at the objects; `allowed` says whether the NMT state lets SYNC out.
     pub fn configure<D: Device>(&mut self, now: Instant, device: &D, allowed: bool) {
         let produces = allowed && cob_id(device).is_some_and(CobId::has_bit_30);
-        let period = if produces { parameter(device, CYCLE_PERIOD) } else { 0 };
+        let period = if produces {
+            od::parameter(device, CYCLE_PERIOD)
+        } else {
+            0
+        };
         if period != self.period {
             *self = Self::new();
             self.period = period;
@@ -151,13 +148,13 @@ impl Producer {
 
     /// The next counter, 1 after the overflow value; `None` where 1019h asks for none.
     fn count<D: Device>(&mut self, device: &D) -> Option<u8> {
-        let overflow = od::number(device, COUNTER_OVERFLOW).filter(|overflow| *overflow != 0)?;
-        self.counter = if u64::from(self.counter) < overflow {
+        let overflow = od::parameter(device, COUNTER_OVERFLOW);
+        self.counter = if u32::from(self.counter) < overflow {
             self.counter + 1
         } else {
             1
         };
-        Some(self.counter)
+        (overflow != 0).then_some(self.counter)
     }
 
     fn after(&self, start: Instant) -> Instant {

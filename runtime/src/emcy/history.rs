@@ -17,13 +17,13 @@ const fn at(sub: u8) -> Address {
 pub(super) fn push<D: Device>(device: &mut D, emergency: Emergency) {
     let room = room(device);
     for sub in (2..=room).rev() {
-        let newer = od::number(device, at(sub - 1)).unwrap_or(0);
+        let newer = od::parameter(device, at(sub - 1));
         set(device, sub, newer);
     }
     let [information, more, ..] = emergency.manufacturer;
-    let information = u64::from(u16::from_le_bytes([information, more]));
-    set(device, 1, information << 16 | u64::from(emergency.code));
-    let count = od::number(device, COUNT).and_then(|count| u8::try_from(count).ok());
+    let [low, high] = emergency.code.to_le_bytes();
+    set(device, 1, u32::from_le_bytes([low, high, information, more]));
+    let count = u8::try_from(od::parameter(device, COUNT));
     let count = count.unwrap_or(0).saturating_add(1).min(room);
     // A device without 1003h keeps no history.
     let _ = od::set(device, COUNT, &[count]);
@@ -43,7 +43,6 @@ fn room<D: Device>(device: &D) -> u8 {
     missing.map_or(254, |sub| sub - 1)
 }
 
-fn set<D: Device>(device: &mut D, sub: u8, value: u64) {
-    let [b0, b1, b2, b3, ..] = value.to_le_bytes();
-    let _ = od::set(device, at(sub), &[b0, b1, b2, b3]);
+fn set<D: Device>(device: &mut D, sub: u8, value: u32) {
+    let _ = od::set(device, at(sub), &value.to_le_bytes());
 }

@@ -138,8 +138,8 @@ impl Producer {
         if now < self.inhibited_until {
             return None;
         }
-        let inhibit_time = od::number(device, INHIBIT_TIME_EMCY).unwrap_or(0);
-        self.inhibited_until = now.plus_micros(inhibit_time.saturating_mul(100));
+        let inhibit_time = od::parameter(device, INHIBIT_TIME_EMCY);
+        self.inhibited_until = now.plus_micros(u64::from(inhibit_time) * 100);
         self.due = Instant::NEVER;
         self.queue.pop().map(|message| Frame::full(id, message))
     }
@@ -204,6 +204,5 @@ fn check_cob_id(old: CobId, new: CobId) -> Result<(), AbortCode> {
 
 /// 1014h; `None` for a device without it, which sends no emergencies.
 fn cob_id<D: Device>(device: &D) -> Option<CobId> {
-    let bits = od::number(device, COB_ID_EMCY)?;
-    u32::try_from(bits).ok().map(CobId)
+    od::configured(device, COB_ID_EMCY).map(CobId)
 }

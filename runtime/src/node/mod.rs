@@ -373,8 +373,7 @@ impl<D: Device> Node<D> {
     /// 1017h in ms; 0, no heartbeat, for a device without it.
     #[inline]
     fn heartbeat_time(&self) -> u16 {
-        let time = od::number(&self.device, PRODUCER_HEARTBEAT_TIME);
-        time.and_then(|time| u16::try_from(time).ok()).unwrap_or(0)
+        u16::try_from(od::parameter(&self.device, PRODUCER_HEARTBEAT_TIME)).unwrap_or(0)
     }
 
     /// Looks at the timers.
@@ -397,7 +396,7 @@ impl<D: Device> Node<D> {
     }
 
     /// Finds the first timer to run out.
-    #[inline]
+    #[inline(never)]
     fn schedule(&mut self) {
         let timers = self.heartbeat.due().min(self.emcy.due());
         let timers = timers.min(self.sync.due()).min(self.pdos.due());

@@ -27,7 +27,7 @@ pub use data_type::DataType;
 pub use device::{Device, Reset};
 pub use entry::{Access, Entry, Extra};
 pub use number_set::NumberSet;
-pub use read::{load, number, parameter, read, readable};
+pub use read::{configured, load, number, parameter, read, readable};
 pub use reset::{resolve_node_id, restore};
 pub use row::Row;
 pub use service_set::ServiceSet;

@@ -43,7 +43,7 @@ pub fn load<D: Device>(device: &D, entry: Entry) -> Result<Value<'_>, AbortCode>
 }
 
 /// The number at `address`, for a service that needs its own parameter: neither access nor handlers count. `None` when
-/// there is none. Of a generated dictionary the compiler knows the place, so this is one load, or nothing at all.
+/// there is none.
 pub fn number<D: Device>(device: &D, address: Address) -> Option<u64> {
     match value(device, device.table().find(address)?)? {
         Value::Number { bits, .. } => Some(bits),
@@ -52,11 +52,14 @@ pub fn number<D: Device>(device: &D, address: Address) -> Option<u64> {
 }
 
 /// [`number`] of a parameter of at most 32 bits; 0 for a device without it.
-#[inline]
 pub fn parameter<D: Device>(device: &D, address: Address) -> u32 {
-    number(device, address)
-        .and_then(|bits| u32::try_from(bits).ok())
-        .unwrap_or(0)
+    configured(device, address).unwrap_or(0)
+}
+
+/// The same; `None` for a device without it.
+#[inline(never)] // One copy for all parameters: they are looked at seldom.
+pub fn configured<D: Device>(device: &D, address: Address) -> Option<u32> {
+    number(device, address).and_then(|bits| u32::try_from(bits).ok())
 }
 
 /// Why there is no entry at `address`.

@@ -7,13 +7,14 @@ use crate::{
 };
 
 /// Bits that a PDO has room for.
-const PDO_BITS: u16 = 64;
+const PDO_BITS: u8 = 64;
 
 /// A mapped object, resolved: where its row stands in the table, where its value stands, and how many bits of the PDO are
 /// its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mapped {
-    place: u16,
+    /// Which row of the table it is, the first one being 1; 0 for none.
+    row: u16,
     slot: u16,
     bits: u8,
     /// Whether its value is found at `slot` among the device's, and the application need not be asked.
@@ -23,14 +24,11 @@ pub struct Mapped {
 impl Mapped {
     /// Nothing: bits that mean nothing.
     pub const EMPTY: Self = Self {
-        place: Self::DUMMY,
+        row: 0,
         slot: 0,
         bits: 0,
         is_plain: false,
     };
-
-    /// Stands for no row.
-    const DUMMY: u16 = u16::MAX;
 
     /// Resolves an entry of a mapping parameter: index, sub-index and length in bits, from high to low.
     ///
@@ -58,7 +56,7 @@ impl Mapped {
         let asks = entry.access.has(Access::CONSTANT) || entry.access.has(Access::READ_HANDLER);
         let (slot, _) = table.locate(*entry).ok_or(AbortCode::NOT_MAPPABLE)?;
         Ok(Self {
-            place: u16::try_from(place).map_err(|_| AbortCode::NOT_MAPPABLE)?,
+            row: u16::try_from(place + 1).map_err(|_| AbortCode::NOT_MAPPABLE)?,
             slot: u16::try_from(slot).map_err(|_| AbortCode::NOT_MAPPABLE)?,
             bits,
             is_plain: !asks && cfg!(target_endian = "little"),
@@ -67,7 +65,8 @@ impl Mapped {
 
     /// Its row; `None` for a dummy.
     fn entry<D: Device>(self, device: &D) -> Option<Entry> {
-        device.table().entries.get(usize::from(self.place)).copied()
+        let place = usize::from(self.row).checked_sub(1)?;
+        device.table().entries.get(place).copied()
     }
 
     /// Its bits, all set.
@@ -170,13 +169,10 @@ impl Mapping {
     pub(super) fn configure<D: Device>(&mut self, device: &D, direction: Direction, index: u16, pool: &mut [Mapped]) {
         (self.count, self.bits) = (0, 0);
         let count = parameter_u8(device, index, 0);
-        let Ok(bits) = check(device, direction, index, count) else {
-            return;
-        };
-        for (sub, place) in (1..=count).zip(pool.iter_mut().skip(usize::from(self.first))) {
-            *place = resolve_at(device, direction, index, sub).unwrap_or(Mapped::EMPTY);
+        let pool = pool.get_mut(usize::from(self.first)..).unwrap_or_default();
+        if let Ok(bits) = resolve(device, direction, index, count, pool) {
+            (self.count, self.bits) = (count, bits);
         }
-        (self.count, self.bits) = (count, bits);
     }
 
     /// The mapped objects.
@@ -208,7 +204,7 @@ impl Mapping {
     pub(super) fn contains<D: Device>(self, device: &D, pool: &[Mapped], address: Address) -> bool {
         let place = device.table().position(address);
         let mut objects = self.objects(pool).iter();
-        place.is_some_and(|place| objects.any(|mapped| usize::from(mapped.place) == place))
+        place.is_some_and(|place| objects.any(|mapped| usize::from(mapped.row) == place + 1))
     }
 }
 
@@ -220,27 +216,35 @@ fn capacity<D: Device>(device: &D, index: u16) -> u8 {
     missing.map_or(64, |sub| sub - 1)
 }
 
-/// Resolves the first `count` entries of the parameter at `index`; gives how many bits they have together.
+/// Resolves the first `count` entries of the parameter at `index`, into as many places as `pool` has; gives how many bits
+/// they have together.
 ///
 /// # Errors
 /// * [`AbortCode::PDO_TOO_LONG`] for more entries than there are, or more than 64 bits
 /// * what [`Mapped::resolve`] refuses with
-pub(super) fn check<D: Device>(device: &D, direction: Direction, index: u16, count: u8) -> Result<u8, AbortCode> {
+#[inline(never)]
+pub(super) fn resolve<D: Device>(
+    device: &D,
+    direction: Direction,
+    index: u16,
+    count: u8,
+    pool: &mut [Mapped],
+) -> Result<u8, AbortCode> {
     if count > capacity(device, index) {
         return Err(AbortCode::PDO_TOO_LONG);
     }
-    let mut bits = 0u16;
+    let mut places = pool.iter_mut();
+    let mut bits = 0;
     for sub in 1..=count {
-        bits += u16::from(resolve_at(device, direction, index, sub)?.bits);
+        let entry = od::parameter(device, Address::new(index, sub));
+        let mapped = Mapped::resolve(device, direction, entry)?;
+        bits += mapped.bits;
         if bits > PDO_BITS {
             return Err(AbortCode::PDO_TOO_LONG);
         }
+        if let Some(place) = places.next() {
+            *place = mapped;
+        }
     }
-    u8::try_from(bits).map_err(|_| AbortCode::PDO_TOO_LONG)
-}
-
-#[inline(never)]
-fn resolve_at<D: Device>(device: &D, direction: Direction, index: u16, sub: u8) -> Result<Mapped, AbortCode> {
-    let value = od::number(device, Address::new(index, sub)).and_then(|value| u32::try_from(value).ok());
-    Mapped::resolve(device, direction, value.unwrap_or(0))
+    Ok(bits)
 }

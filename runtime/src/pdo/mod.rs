@@ -85,16 +85,14 @@ mod sub {
 /// The COB-ID of the PDO `number`; one that is not valid where there is none.
 #[inline(never)] // One copy for all who ask: parameters are read seldom.
 fn cob_id<D: Device>(device: &D, direction: Direction, number: u16) -> CobId {
-    let address = Address::new(direction.communication(number), sub::COB_ID);
-    let bits = od::number(device, address).and_then(|bits| u32::try_from(bits).ok());
-    CobId(bits.unwrap_or(u32::MAX))
+    let index = direction.communication(number);
+    CobId(od::configured(device, Address::new(index, sub::COB_ID)).unwrap_or(u32::MAX))
 }
 
 /// A parameter of at most 16 bits; 0 where there is none.
 #[inline(never)]
 fn parameter<D: Device>(device: &D, index: u16, sub: u8) -> u16 {
-    let value = od::number(device, Address::new(index, sub));
-    value.and_then(|value| u16::try_from(value).ok()).unwrap_or(0)
+    u16::try_from(od::parameter(device, Address::new(index, sub))).unwrap_or(0)
 }
 
 /// A parameter of 8 bits; 0 where there is none.

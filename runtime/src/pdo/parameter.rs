@@ -87,7 +87,7 @@ fn before_mapping<D: Device>(
         return Err(AbortCode::UNSUPPORTED_ACCESS);
     }
     match (sub, value.to_u32()) {
-        (0, _) => mapping::check(device, direction, index, value.to_u8()).map(|_| ()),
+        (0, _) => mapping::resolve(device, direction, index, value.to_u8(), &mut []).map(|_| ()),
         // No object: an entry that is not used.
         (_, 0) => Ok(()),
         (_, entry) => Mapped::resolve(device, direction, entry).map(|_| ()),

@@ -33,7 +33,7 @@ pub struct Rpdo {
 }
 
 impl Rpdo {
-    /// One that is not used.
+    /// One that is not used: all zero, so that it takes no place in flash.
     pub const EMPTY: Self = Self {
         number: 0,
         mapping: Mapping::EMPTY,
@@ -41,9 +41,9 @@ impl Rpdo {
         is_stale: false,
         is_short: false,
         is_late: false,
-        transmission_type: u8::MAX,
+        transmission_type: 0,
         event_timer: 0,
-        event_due: Instant::NEVER,
+        event_due: Instant::from_micros(0),
         waiting: None,
     };
 

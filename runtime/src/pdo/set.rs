@@ -232,13 +232,17 @@ impl<R: Room> Set<R> {
     }
 
     /// Finds the first timer to run out.
+    #[inline(never)]
     fn schedule(&mut self, now: Instant) {
         let Parts { tpdos, rpdos, .. } = self.room.parts();
-        let due = tpdos
-            .iter()
-            .map(|tpdo| tpdo.due(now))
-            .chain(rpdos.iter().map(Rpdo::due));
-        self.due = due.fold(Instant::NEVER, Instant::min);
+        let mut due = Instant::NEVER;
+        for tpdo in tpdos {
+            due = due.min(tpdo.due(now));
+        }
+        for rpdo in rpdos {
+            due = due.min(rpdo.due());
+        }
+        self.due = due;
     }
 }
 

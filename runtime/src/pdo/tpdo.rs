@@ -49,7 +49,7 @@ pub struct Tpdo {
 }
 
 impl Tpdo {
-    /// One that is not used.
+    /// One that is not used: all zero, so that it takes no place in flash.
     pub const EMPTY: Self = Self {
         number: 0,
         mapping: Mapping::EMPTY,
@@ -58,14 +58,14 @@ impl Tpdo {
         allows_rtr: false,
         is_requested: false,
         has_event: false,
-        transmission_type: EVENT_DRIVEN,
+        transmission_type: 0,
         sync_start_value: 0,
         awaits_start: false,
         countdown: 0,
         inhibit_time: 0,
         event_timer: 0,
         inhibited_until: Instant::from_micros(0),
-        event_due: Instant::NEVER,
+        event_due: Instant::from_micros(0),
         sample: 0,
     };
 
