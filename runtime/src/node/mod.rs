@@ -4,7 +4,6 @@ mod dispatch;
 mod effects;
 mod error_control;
 mod exchange;
-mod lss;
 mod pending;
 
 use dispatch::Service;
@@ -14,9 +13,8 @@ use pending::Pending;
 use crate::{
     emcy, guarding,
     heartbeat::{self, PRODUCER_HEARTBEAT_TIME},
-    lss::Slave,
     nmt,
-    od::{self, Device, Reset, ServiceSet, Value},
+    od::{self, Device, Reset, Value},
     pdo, sdo, sync,
     wire::{
         self,
@@ -37,7 +35,6 @@ pub struct Node<D: Device> {
     device: D,
     id: NodeId,
     nmt: nmt::Slave,
-    lss: Slave,
     emcy: emcy::Producer,
     heartbeat: heartbeat::Producer,
     consumers: heartbeat::Consumers<D::Watches>,
@@ -53,8 +50,6 @@ pub struct Node<D: Device> {
     sdo: sdo::Server<D::Buffer>,
     /// The SDO server's response, while [`Pending::SDO`].
     response: [u8; 8],
-    /// The LSS slave's response, while [`Pending::LSS`].
-    lss_response: [u8; 8],
     pending: Pending,
     /// When the first timer of any service runs out.
     due: Instant,
@@ -66,11 +61,7 @@ impl<D: Device> Node<D> {
     /// A node after power-on; its first [`Node::poll`] gives the boot-up message. The dictionary's formulas of `$NODEID`
     /// get their values now.
     #[must_use]
-    pub fn new(device: D, node_id: NodeId) -> Self {
-        Self::start(device, node_id)
-    }
-
-    fn start(mut device: D, node_id: NodeId) -> Self {
+    pub fn new(mut device: D, node_id: NodeId) -> Self {
         od::resolve_node_id(&mut device, node_id);
         let buffer = device.buffer();
         let mut pdos = pdo::Set::new(&device, device.pdos());
@@ -80,7 +71,6 @@ impl<D: Device> Node<D> {
             device,
             id: node_id,
             nmt: nmt::Slave::new(),
-            lss: Slave::new(node_id, None),
             emcy: emcy::Producer::new(),
             heartbeat: heartbeat::Producer::new(),
             consumers,
@@ -93,8 +83,7 @@ impl<D: Device> Node<D> {
             is_sync_wrong: false,
             sdo: sdo::Server::new(buffer),
             response: [0; 8],
-            lss_response: [0; 8],
-            pending: Pending::of_start(node_id),
+            pending: Pending::BOOT_UP,
             due: Instant::NEVER,
             timers: Instant::NEVER,
         }
@@ -103,10 +92,9 @@ impl<D: Device> Node<D> {
     /// Takes a frame from the bus. What is not for this node is ignored.
     #[inline]
     pub fn receive(&mut self, now: Instant, frame: &Frame) {
-        match dispatch::service::<D>(frame, self.id) {
+        match dispatch::service(frame, self.id) {
             Service::Sdo(request) => self.receive_sdo(now, request),
             Service::Nmt => self.receive_nmt(frame),
-            Service::Lss(request) => self.receive_lss(now, request),
             Service::Other => self.receive_other(now, frame),
         }
     }
@@ -119,6 +107,7 @@ impl<D: Device> Node<D> {
                 Pending::NOTHING => return None,
                 Pending::SDO => return Some(self.send_response()),
                 Pending::PDO => return self.send_pdo(now),
+                Pending::BLOCK => return self.send_segment(now),
                 _ => {}
             }
         }
@@ -129,9 +118,6 @@ impl<D: Device> Node<D> {
     /// something to send already, `None` when nothing will ever be due.
     #[must_use]
     pub fn poll_at(&self) -> Option<Instant> {
-        if self.is_silent() {
-            return self.poll_silent_at();
-        }
         if self.pending != Pending::NOTHING {
             return Some(Instant::default());
         }
@@ -145,17 +131,16 @@ impl<D: Device> Node<D> {
         self.nmt.state()
     }
 
-    /// The node-ID; `None` while the node waits for LSS to give it one.
+    /// The node-ID.
     #[inline]
     #[must_use]
-    pub fn node_id(&self) -> Option<NodeId> {
-        self.id.configured()
+    pub fn node_id(&self) -> NodeId {
+        self.id
     }
 
     /// Gives the node another node-ID: it resets its communication and boots up under the new one.
     pub fn set_node_id(&mut self, node_id: NodeId) {
         self.id = node_id;
-        self.lss.set_node_id(node_id);
         od::resolve_node_id(&mut self.device, node_id);
         self.obey(NmtCommand::ResetCommunication);
     }
@@ -251,14 +236,18 @@ impl<D: Device> Node<D> {
             return;
         }
         // A request makes the answer to the one before it stale.
-        self.pending.remove(Pending::SDO);
+        self.pending.remove(Pending::SDO_ALL);
         let mut effects = Effects {
             pending: &mut self.pending,
             pdos: &mut self.pdos,
         };
-        if let Some(response) = self.sdo.receive(now, &mut self.device, &mut effects, request) {
-            self.response = response;
-            self.pending.add(Pending::SDO);
+        match self.sdo.receive(now, &mut self.device, &mut effects, request) {
+            sdo::Answer::Response(response) => {
+                self.response = response;
+                self.pending.add(Pending::SDO);
+            }
+            sdo::Answer::Block => self.pending.add(Pending::BLOCK),
+            sdo::Answer::Nothing => {}
         }
         self.due = self.sdo.due().min(self.timers);
     }
@@ -272,9 +261,6 @@ impl<D: Device> Node<D> {
     }
 
     fn reset(&mut self, reset: Reset) {
-        if D::SERVICES.has(ServiceSet::LSS) {
-            self.reset_lss(reset);
-        }
         od::restore(&mut self.device, reset, self.id);
         self.device.event(Event::Reset(reset));
         self.end_transfer();
@@ -287,12 +273,12 @@ impl<D: Device> Node<D> {
         self.faults = pdo::Faults::default();
         self.is_sync_wrong = false;
         self.due = Instant::NEVER;
-        self.pending = self.pending_after_reset();
+        self.pending = Pending::BOOT_UP;
     }
 
     fn end_transfer(&mut self) {
         self.sdo.reset();
-        self.pending.remove(Pending::SDO);
+        self.pending.remove(Pending::SDO_ALL);
     }
 
     /// Lets the emergency messages out when the NMT state allows them (CiA 301, 7.3.2.2), else keeps them.
@@ -308,14 +294,6 @@ impl<D: Device> Node<D> {
     /// would let them through.
     #[inline(never)]
     fn work(&mut self, now: Instant) -> Option<Frame> {
-        if self.is_silent() {
-            if let Some(frame) = self.send_lss_response() {
-                return Some(frame);
-            }
-            if self.keeps_silence(now) {
-                return None;
-            }
-        }
         if self.pending.take(Pending::BOOT_UP) {
             return Some(self.boot_up(now));
         }
@@ -346,13 +324,16 @@ impl<D: Device> Node<D> {
         if self.pending.has(Pending::SDO) {
             return Some(self.send_response());
         }
+        if self.pending.has(Pending::BLOCK) {
+            return self.send_segment(now);
+        }
         if self.pending.take(Pending::GUARDING) {
             return Some(self.send_guarding(now));
         }
         if self.pending.take(Pending::HEARTBEAT) {
             return Some(wire::heartbeat::emit(self.id, self.nmt.state()));
         }
-        self.send_lss_response()
+        None
     }
 
     /// Leaves INITIALISING with the boot-up message.
@@ -376,6 +357,17 @@ impl<D: Device> Node<D> {
     fn send_response(&mut self) -> Frame {
         self.pending.remove(Pending::SDO);
         Frame::full(CanId::sdo_response(self.id), self.response)
+    }
+
+    /// The next segment of the SDO server's block.
+    #[inline(never)]
+    fn send_segment(&mut self, now: Instant) -> Option<Frame> {
+        let next = self.sdo.next_segment(now, &mut self.device);
+        if !next.is_some_and(|next| next.has_more) {
+            self.pending.remove(Pending::BLOCK);
+            self.due = self.sdo.due().min(self.timers);
+        }
+        next.map(|next| Frame::full(CanId::sdo_response(self.id), next.message))
     }
 
     /// The next emergency message, unless the inhibit time holds it back.

@@ -1,7 +1,7 @@
 //! What the services need of a device.
 
-use super::{NumberSet, ServiceSet, Table, Value};
-use crate::{heartbeat::Watch, lss::BitRates, pdo::Room, AbortCode, Address, Event};
+use super::{NumberSet, Part, ServiceSet, Table, Value};
+use crate::{heartbeat::Watch, pdo::Room, AbortCode, Address, Event};
 
 /// A device: the dictionary that was generated for it, and the application behind it.
 ///
@@ -52,11 +52,6 @@ pub trait Device {
         0
     }
 
-    /// The bit rates that LSS may set (`BaudRate_...` of an EDS). All of CiA 305's table unless overridden.
-    fn bit_rates(&self) -> BitRates {
-        BitRates::ALL
-    }
-
     /// Asks the application to bring the value at `address` up to date in [`Device::values_mut`] before it is read.
     ///
     /// Called only for entries with [`Access::READ_HANDLER`](super::Access::READ_HANDLER).
@@ -72,6 +67,30 @@ pub trait Device {
     /// # Errors
     /// The abort code that the client is to be answered with; then nothing is stored.
     fn before_write(&mut self, address: Address, value: Value<'_>) -> Result<(), AbortCode>;
+
+    /// Asks the application for bytes of the value at `address`: it copies those from `offset` on into `buffer`, as many as
+    /// there are and fit. Gives the length of the whole value, the same from the first byte to the last.
+    ///
+    /// Called only for entries with [`Access::PARTS`](super::Access::PARTS), for the same byte again when a client has missed
+    /// it.
+    ///
+    /// # Errors
+    /// The abort code that the client is to be answered with. [`AbortCode::NO_DATA`] unless overridden.
+    fn read_part(&mut self, address: Address, offset: usize, buffer: &mut [u8]) -> Result<usize, AbortCode> {
+        let _ = (address, offset, buffer);
+        Err(AbortCode::NO_DATA)
+    }
+
+    /// Gives the application a part of the value that a client writes to `address`.
+    ///
+    /// Called only for entries with [`Access::PARTS`](super::Access::PARTS).
+    ///
+    /// # Errors
+    /// The abort code that the client is to be answered with. [`AbortCode::NOT_STORED`] unless overridden.
+    fn write_part(&mut self, address: Address, part: Part<'_>) -> Result<(), AbortCode> {
+        let _ = (address, part);
+        Err(AbortCode::NOT_STORED)
+    }
 
     /// Tells the application what has happened. Does nothing unless overridden.
     fn event(&mut self, event: Event) {

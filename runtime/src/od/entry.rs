@@ -26,6 +26,10 @@ impl Access {
     pub const WRITE_HANDLER: Self = Self(0x0080);
     /// An integer whose default is a formula of `$NODEID`: the node-ID is added to it.
     pub const NODE_ID: Self = Self(0x0100);
+    /// A string or DOMAIN of any length that the application gives and takes in parts
+    /// ([`Device::read_part`](super::Device::read_part), [`Device::write_part`](super::Device::write_part)). The dictionary
+    /// has no room for it, so it is [`Access::CONSTANT`] too, at any slot.
+    pub const PARTS: Self = Self(0x0200);
 
     /// This and `other` together.
     #[must_use]

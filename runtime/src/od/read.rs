@@ -12,8 +12,10 @@ use crate::{AbortCode, Address};
 /// * [`AbortCode::NO_SUCH_OBJECT`], [`AbortCode::NO_SUCH_SUB_INDEX`]
 /// * [`AbortCode::WRITE_ONLY`]
 /// * what [`Device::before_read`] refuses with
+/// * [`AbortCode::UNSUPPORTED_ACCESS`] for a value in parts, which an SDO client alone can read
 pub fn read<D: Device>(device: &mut D, address: Address) -> Result<Value<'_>, AbortCode> {
     let entry = readable(device, address)?;
+    refuse_parts(entry)?;
     load(device, entry)
 }
 
@@ -60,6 +62,14 @@ pub fn parameter<D: Device>(device: &D, address: Address) -> u32 {
 #[inline(never)] // One copy for all parameters: they are looked at seldom.
 pub fn configured<D: Device>(device: &D, address: Address) -> Option<u32> {
     number(device, address).and_then(|bits| u32::try_from(bits).ok())
+}
+
+/// Refuses a value that does not stand in the dictionary.
+pub(super) const fn refuse_parts(entry: Entry) -> Result<(), AbortCode> {
+    if entry.access.has(Access::PARTS) {
+        return Err(AbortCode::UNSUPPORTED_ACCESS);
+    }
+    Ok(())
 }
 
 /// Why there is no entry at `address`.

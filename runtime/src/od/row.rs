@@ -45,6 +45,11 @@ impl Row {
         self.first.index
     }
 
+    /// What may be done with its values.
+    pub(super) const fn access(&self) -> Access {
+        self.first.access
+    }
+
     /// How many values it stands for.
     pub(super) const fn values(&self) -> u8 {
         self.last_sub - self.first.sub + 1

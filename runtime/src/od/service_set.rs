@@ -1,6 +1,6 @@
 //! Which of the optional services a device has.
 
-use super::Row;
+use super::{Access, Row};
 
 /// A set of optional services: those that a dictionary has objects for, and LSS, which has none.
 ///
@@ -38,8 +38,10 @@ impl ServiceSet {
     pub const START_UP: Self = Self(0x0800);
     /// The layer setting services (CiA 305): no object says so, but `LSS_Supported` of an EDS.
     pub const LSS: Self = Self(0x1000);
+    /// Values that the application gives and takes in parts: entries with [`Access::PARTS`].
+    pub const PARTS: Self = Self(0x2000);
     /// All of them, for a device whose dictionary is known at run time only.
-    pub const ALL: Self = Self(0x1FFF);
+    pub const ALL: Self = Self(0x3FFF);
 
     /// The services that a table of these rows has objects for.
     #[must_use]
@@ -48,6 +50,9 @@ impl ServiceSet {
         let mut row = 0;
         while row < rows.len() {
             set = set.with(Self::of_object(rows[row].index()));
+            if rows[row].access().has(Access::PARTS) {
+                set = set.with(Self::PARTS);
+            }
             row += 1;
         }
         set

@@ -14,6 +14,7 @@ use crate::{AbortCode, Address};
 /// * [`AbortCode::VALUE_TOO_HIGH`], [`AbortCode::VALUE_TOO_LOW`]
 /// * what a service refuses with ([`Services::before_write`])
 /// * what the application refuses with ([`Device::before_write`])
+/// * [`AbortCode::UNSUPPORTED_ACCESS`] for a value in parts, which an SDO client alone can write
 pub fn write<D: Device>(
     device: &mut D,
     services: &mut impl Services,
@@ -21,6 +22,7 @@ pub fn write<D: Device>(
     data: &[u8],
 ) -> Result<(), AbortCode> {
     let entry = writable(device, address)?;
+    read::refuse_parts(entry)?;
     store(device, services, entry, data)
 }
 

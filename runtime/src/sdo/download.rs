@@ -8,21 +8,17 @@
 //!             19 68 69 6A ‥ ‥ ‥ ‥ ─▶         ◀─ 30 00 00 00 00 00 00 00     bit 4 toggles, bit 0: the last
 //! ```
 
+use super::{incoming::Incoming, is_in_parts};
 use crate::{
-    od::{self, Device, Entry, Services},
+    od::{self, Device, Services},
     wire::sdo::{Expedited, Response, Segment},
     AbortCode, Address,
 };
 
-/// Segments are coming in for `entry`.
+/// Segments are coming in.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Download {
-    entry: Entry,
-    /// The most bytes that are taken.
-    room: usize,
-    /// How many the client promised.
-    promised: Option<usize>,
-    received: usize,
+    pub(super) incoming: Incoming,
     /// The toggle bit of the next segment.
     toggle: bool,
 }
@@ -56,41 +52,47 @@ fn write<D: Device>(
         None if (1..=4).contains(&expected) => {}
         None if expected > 4 => return Err(AbortCode::LENGTH_MISMATCH),
         length => {
-            let length = length.unwrap_or_else(|| od::capacity(device, entry).min(4));
             let bytes = value.bits.to_le_bytes();
+            if is_in_parts::<D>(entry) {
+                return write_whole(device, services, address, bytes, length.unwrap_or(4));
+            }
+            let length = length.unwrap_or_else(|| od::capacity(device, entry).min(4));
             return od::store(device, services, entry, bytes.get(..length).unwrap_or(&bytes));
         }
     }
     od::store_number(device, services, entry, u64::from(value.bits))
 }
 
+/// A short value that the application takes in parts: one part.
+#[cold]
+#[inline(never)]
+fn write_whole<D: Device>(
+    device: &mut D,
+    services: &mut impl Services,
+    address: Address,
+    bytes: [u8; 4],
+    length: usize,
+) -> Result<(), AbortCode> {
+    let mut buffer = [0; 8];
+    let [d0, d1, d2, d3] = bytes;
+    let mut incoming = Incoming::begin(device, buffer.len(), address, u32::try_from(length).ok())?;
+    incoming.take(device, &mut buffer, [d0, d1, d2, d3, 0, 0, 0], length)?;
+    incoming.finish(device, services, &buffer, 0, None)
+}
+
 impl Download {
     /// Takes `20` or `21`: segments will follow, into a buffer of `buffer` bytes.
-    pub(super) fn new<D: Device>(
-        device: &D,
+    pub(super) fn begin<D: Device>(
+        device: &mut D,
         buffer: usize,
         address: Address,
         size: Option<u32>,
     ) -> Result<Self, AbortCode> {
-        let entry = od::writable(device, address)?;
-        let promised = size.map(|size| usize::try_from(size).unwrap_or(usize::MAX));
-        if let Some(promised) = promised {
-            od::check_length(device, entry, promised)?;
-        }
-        if promised.is_some_and(|promised| promised > buffer) {
-            return Err(AbortCode::OUT_OF_MEMORY);
-        }
+        let incoming = Incoming::begin(device, buffer, address, size)?;
         Ok(Self {
-            entry,
-            room: od::capacity(device, entry).min(buffer),
-            promised,
-            received: 0,
+            incoming,
             toggle: false,
         })
-    }
-
-    pub(super) const fn address(&self) -> Address {
-        self.entry.address()
     }
 
     /// State `Download`: takes `0x` or `1x`; after the last segment the value is stored.
@@ -104,37 +106,20 @@ impl Download {
         if segment.toggle != self.toggle {
             return Err(AbortCode::TOGGLE_NOT_ALTERNATED);
         }
-        self.take(buffer, segment)?;
-        if segment.last {
-            self.store(device, services, buffer)?;
-        }
-        Ok(())
-    }
-
-    /// Puts the segment's bytes behind those before them.
-    fn take(&mut self, buffer: &mut [u8], segment: Segment) -> Result<(), AbortCode> {
-        let expected = self.promised.unwrap_or(self.room);
-        let mut bytes = segment.bytes();
-        if segment.last && bytes.len() == 7 {
+        let missing = self.incoming.missing();
+        let mut length = usize::from(segment.length);
+        if segment.last && length == 7 {
             // "n = 0 if no segment size is indicated" (CiA 301, 7.2.4.3.4): then what is expected ends the value.
-            bytes = bytes.get(..expected.saturating_sub(self.received)).unwrap_or(bytes);
+            length = missing.min(7);
         }
-        let end = self.received + bytes.len();
-        if end > expected {
+        if length > missing {
             return Err(AbortCode::TOO_LONG);
         }
-        let room = buffer.get_mut(self.received..end).ok_or(AbortCode::OUT_OF_MEMORY)?;
-        room.iter_mut().zip(bytes).for_each(|(to, from)| *to = *from);
-        self.received = end;
+        self.incoming.take(device, buffer, segment.data, length)?;
         self.toggle = !self.toggle;
-        Ok(())
-    }
-
-    fn store<D: Device>(&self, device: &mut D, services: &mut impl Services, buffer: &[u8]) -> Result<(), AbortCode> {
-        if self.promised.is_some_and(|promised| self.received < promised) {
-            return Err(AbortCode::TOO_SHORT);
+        if segment.last {
+            self.incoming.finish(device, services, buffer, 0, None)?;
         }
-        let data = buffer.get(..self.received).ok_or(AbortCode::OUT_OF_MEMORY)?;
-        od::store(device, services, self.entry, data)
+        Ok(())
     }
 }

@@ -1,7 +1,6 @@
 //! The SDO server (CiA 301, 7.2.4): a client reads and writes the object dictionary, one value at a time.
 //!
-//! Served: expedited and segmented transfers, both ways. Block transfer is not there yet: its commands are answered as
-//! unknown ones.
+//! Served: expedited, segmented and block transfers, both ways, blocks with a CRC if the client wants one.
 //!
 //! What CiA 301 leaves open, this server does so:
 //!
@@ -14,8 +13,24 @@
 //! * A download is collected in a buffer and written when it is complete: an abandoned one has changed nothing.
 //! * An upload is a snapshot taken when it begins.
 
+mod block_download;
+mod block_upload;
+mod blocks;
+mod crc;
 mod download;
+mod incoming;
+mod outgoing;
 mod server;
 mod upload;
 
-pub use server::Server;
+pub use crc::crc;
+pub use server::{Answer, Next, Server};
+
+use crate::od::{Access, Device, Entry, ServiceSet};
+
+/// Whether the application gives and takes the value in parts. For a device without such values that is known when it is
+/// compiled, and costs nothing.
+#[inline]
+fn is_in_parts<D: Device>(entry: Entry) -> bool {
+    D::SERVICES.has(ServiceSet::PARTS) && entry.access.has(Access::PARTS)
+}

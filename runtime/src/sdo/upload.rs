@@ -7,23 +7,23 @@
 //!             70 00 00 00 00 00 00 00 ─▶     ◀─ 19 68 69 6A 00 00 00 00     bit 4 toggles, bit 0: the last
 //! ```
 
+use super::outgoing::Outgoing;
 use crate::{
-    od::{self, Access, DataType, Device, Entry, Value},
+    od::{self, DataType, Device, Value},
     wire::sdo::{Expedited, Segment},
     AbortCode, Address,
 };
 
-/// Segments of `entry` are asked for.
+/// Segments are asked for.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Upload {
-    entry: Entry,
-    size: usize,
-    sent: usize,
+    pub(super) outgoing: Outgoing,
     /// The toggle bit of the next request.
     toggle: bool,
 }
 
 /// How an upload begins.
+#[derive(Clone, Copy)]
 pub(super) enum Begun {
     /// The value fits into the response, and that is all.
     Complete(Expedited),
@@ -35,9 +35,16 @@ pub(super) enum Begun {
 #[inline]
 pub(super) fn initiate<D: Device>(device: &mut D, buffer: &mut [u8], address: Address) -> Result<Begun, AbortCode> {
     let entry = od::readable(device, address)?;
+    if entry.data_type.length() == 0 {
+        let outgoing = Outgoing::begin(device, buffer, entry)?;
+        return Ok(long(device, buffer, outgoing));
+    }
     match od::load(device, entry)? {
         Value::Number { bits, data_type } if data_type.length() <= 4 => Ok(Begun::Complete(expedited(bits, data_type))),
-        value => long(entry, buffer, value),
+        _ => {
+            let outgoing = Outgoing::begin(device, buffer, entry)?;
+            Ok(long(device, buffer, outgoing))
+        }
     }
 }
 
@@ -52,88 +59,31 @@ fn expedited(bits: u64, data_type: DataType) -> Expedited {
     }
 }
 
-/// A value that is longer, or has a length of its own.
-fn long(entry: Entry, buffer: &mut [u8], value: Value<'_>) -> Result<Begun, AbortCode> {
-    let number;
-    let bytes = match value {
-        Value::Bytes(bytes) => bytes,
-        Value::Number { bits, data_type } => {
-            number = bits.to_le_bytes();
-            number.get(..data_type.length()).unwrap_or(&number)
-        }
-    };
-    if let Some(short) = short(bytes) {
-        return Ok(Begun::Complete(short));
+/// A value whose bytes are at hand: one to four of them fit into the response.
+#[inline(never)]
+pub(super) fn long<D: Device>(device: &mut D, buffer: &mut [u8], mut outgoing: Outgoing) -> Begun {
+    match outgoing.expedited(device, buffer) {
+        Some(value) => Begun::Complete(value),
+        None => Begun::Segmented(Upload {
+            outgoing,
+            toggle: false,
+        }),
     }
-    if !stands_in_flash(entry) {
-        let room = buffer.get_mut(..bytes.len()).ok_or(AbortCode::OUT_OF_MEMORY)?;
-        room.copy_from_slice(bytes);
-    }
-    Ok(Begun::Segmented(Upload {
-        entry,
-        size: bytes.len(),
-        sent: 0,
-        toggle: false,
-    }))
-}
-
-/// A string of one to four bytes fits into the response too.
-fn short(bytes: &[u8]) -> Option<Expedited> {
-    let mut word = [0; 4];
-    word.get_mut(..bytes.len())?.copy_from_slice(bytes);
-    let length = u8::try_from(bytes.len()).ok().filter(|&length| length != 0)?;
-    Some(Expedited {
-        bits: u32::from_le_bytes(word),
-        length: Some(length),
-    })
-}
-
-/// Whether it is a constant string: it cannot change under way, so no snapshot is taken.
-fn stands_in_flash(entry: Entry) -> bool {
-    entry.access.has(Access::CONSTANT) && entry.data_type.length() == 0
 }
 
 impl Upload {
-    pub(super) const fn address(&self) -> Address {
-        self.entry.address()
-    }
-
-    /// How many bytes there are; a number that does not fit into the response is not said.
-    pub(super) fn size(&self) -> Option<u32> {
-        u32::try_from(self.size).ok()
-    }
-
     /// State `Upload`: takes `60` or `70`, gives the next seven bytes.
-    pub(super) fn segment<D: Device>(&mut self, device: &D, buffer: &[u8], toggle: bool) -> Result<Segment, AbortCode> {
+    pub(super) fn segment<D: Device>(
+        &mut self,
+        device: &mut D,
+        buffer: &mut [u8],
+        toggle: bool,
+    ) -> Result<Segment, AbortCode> {
         if toggle != self.toggle {
             return Err(AbortCode::TOGGLE_NOT_ALTERNATED);
         }
-        let value = if stands_in_flash(self.entry) {
-            od::load(device, self.entry)?.to_bytes()
-        } else {
-            buffer
-        };
-        let rest = value
-            .get(self.sent..self.size)
-            .ok_or(AbortCode::INTERNAL_INCOMPATIBILITY)?;
+        let segment = self.outgoing.next(device, buffer)?;
         self.toggle = !toggle;
-        self.sent += rest.len().min(7);
-        Ok(cut(rest, toggle))
-    }
-}
-
-/// The first seven bytes of what is left, or all of it.
-#[allow(clippy::cast_possible_truncation)] // The length is 0 to 7.
-fn cut(rest: &[u8], toggle: bool) -> Segment {
-    let mut data = [0; 7];
-    match rest.first_chunk() {
-        Some(full) => data = *full,
-        None => data.iter_mut().zip(rest).for_each(|(to, from)| *to = *from),
-    }
-    Segment {
-        toggle,
-        last: rest.len() <= 7,
-        length: rest.len().min(7) as u8,
-        data,
+        Ok(Segment { toggle, ..segment })
     }
 }

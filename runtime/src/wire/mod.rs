@@ -10,7 +10,6 @@
 
 pub mod emcy;
 pub mod heartbeat;
-pub mod lss;
 pub mod nmt;
 pub mod sdo;
 pub mod slcan;
