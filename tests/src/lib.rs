@@ -14,6 +14,7 @@ pub mod python;
 pub mod sample;
 pub mod sdo_client;
 pub mod simulated;
+pub mod traffic;
 
 /// The first page: its examples run as tests, the build script with the others of this package.
 #[cfg(doctest)]

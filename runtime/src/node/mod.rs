@@ -300,11 +300,14 @@ impl<D: Device> Node<D> {
         if self.pending.take(Pending::START_ALL) {
             return wire::nmt::Request::START_ALL.emit();
         }
-        if self.pending.take(Pending::CONFIGURATION) {
-            self.configure(now);
-        }
-        if now >= self.due {
-            self.expire(now);
+        // What runs out may be told to the application, which may then write what configures a service.
+        for _ in 0..2 {
+            if self.pending.take(Pending::CONFIGURATION) {
+                self.configure(now);
+            }
+            if now >= self.due {
+                self.expire(now);
+            }
         }
         if self.pending.take(Pending::SYNC) {
             if let Some(frame) = self.send_sync(now) {
