@@ -2,7 +2,7 @@
 
 use std::{fmt, str::FromStr};
 
-use crate::span::Span;
+use crate::{fix::Fix, span::Span};
 
 /// How grave a finding is.
 ///
@@ -119,6 +119,8 @@ pub struct Diagnostic {
     pub related: Vec<Related>,
     /// The cure, in the imperative.
     pub help: Option<String>,
+    /// The cure as changes to the file, where it is safe to make them without asking.
+    pub fix: Option<Fix>,
 }
 
 impl Diagnostic {
@@ -138,6 +140,12 @@ impl Diagnostic {
     /// Says how to mend it.
     pub fn help(&mut self, help: impl Into<String>) -> &mut Self {
         self.help = Some(help.into());
+        self
+    }
+
+    /// Offers a safe cure, if there is one.
+    pub fn fix(&mut self, fix: impl Into<Option<Fix>>) -> &mut Self {
+        self.fix = fix.into();
         self
     }
 

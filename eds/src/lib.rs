@@ -8,6 +8,7 @@
 pub mod diagnostic;
 pub mod document;
 pub mod dump;
+pub mod fix;
 mod ini;
 pub mod ir;
 pub mod literal;
@@ -38,7 +39,11 @@ pub struct Reading {
 /// Reads a file; `name` is what diagnostics call it.
 #[must_use]
 pub fn read(name: impl Into<String>, bytes: Vec<u8>) -> Reading {
-    let document = Document::read(Source::decode(name, bytes));
+    read_document(Document::read(Source::decode(name, bytes)))
+}
+
+/// Reads a document that was edited.
+fn read_document(document: Document) -> Reading {
     let eds = Eds::interpret(&document);
     let (dictionary, problems) = Dictionary::lower(&eds);
     Reading {

@@ -26,6 +26,7 @@ struct Finding<'a> {
     label: Option<&'a str>,
     related: Vec<Related<'a>>,
     help: Option<&'a str>,
+    fixable: bool,
 }
 
 #[derive(Serialize)]
@@ -90,5 +91,6 @@ fn finding<'a>(source: &'a Source, diagnostic: &'a Diagnostic) -> Finding<'a> {
         label: diagnostic.label.as_deref(),
         related: related.collect(),
         help: diagnostic.help.as_deref(),
+        fixable: diagnostic.fix.is_some(),
     }
 }

@@ -6,6 +6,7 @@ mod keyword;
 mod problem;
 mod read;
 mod section_name;
+mod spelling;
 
 pub use crate::source::Format;
 pub use edit::{Edit, EditError};
@@ -76,6 +77,15 @@ impl Document {
     #[must_use]
     pub fn sections(&self) -> &[Section] {
         &self.sections
+    }
+
+    /// The section that `at` is in, its header included.
+    #[must_use]
+    pub fn section_around(&self, at: Span) -> Option<&Section> {
+        let following = self
+            .sections
+            .partition_point(|section| section.header.start <= at.start);
+        self.sections.get(following.checked_sub(1)?)
     }
 
     /// What CiA 306-1 does not allow in lines and names, in the order of the file.

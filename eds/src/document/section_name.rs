@@ -90,6 +90,12 @@ impl SectionName {
         standard.map(|(_, text)| *text)
     }
 
+    /// The standard's name of a section that a file has once.
+    pub(super) fn name(self) -> Option<&'static str> {
+        let found = NAMED.iter().find(|(name, _)| *name == self);
+        found.map(|(_, text)| *text)
+    }
+
     /// Whether `label`, which names this section, is written as the standard allows, apart from the case of letters: no
     /// blank, no `0x`, no leading zero in a sub-index.
     #[must_use]

@@ -57,6 +57,11 @@ impl<T> Literal<T> {
     }
 }
 
+/// `text` without a comment behind it. Not for texts, which may have `#` and `;` in them.
+pub(crate) fn bare(text: &str) -> &str {
+    text.split(['#', ';']).next().unwrap_or_default().trim_end()
+}
+
 /// Reads `text` by `read`; if that fails and a comment follows the value, reads what stands before the comment.
 ///
 /// # Errors

@@ -2,14 +2,15 @@
 
 use std::fmt::Write as _;
 
-use super::{Family, Rule, all, canchkeds, families};
+use super::{Family, Fixable, Rule, all, canchkeds, families};
 
 /// One rule's page: what `lexican explain CODE` prints.
 #[must_use]
 pub fn page(rule: &Rule) -> String {
     let (code, name, level, since) = (rule.code(), rule.name(), rule.level(), rule.since());
     format!(
-        "# {code}: {name}\n\nLevel: {level}. Since {since}.\n\n{}",
+        "# {code}: {name}\n\nLevel: {level}. Since {since}.{}\n\n{}",
+        fixable(rule),
         rule.documentation()
     )
 }
@@ -18,6 +19,14 @@ pub fn page(rule: &Rule) -> String {
 #[must_use]
 pub fn anchor(rule: &Rule) -> String {
     format!("{}-{}", rule.code(), rule.name().replace(' ', "-")).to_lowercase()
+}
+
+fn fixable(rule: &Rule) -> &'static str {
+    match rule.fixable() {
+        Fixable::Never => "",
+        Fixable::Sometimes => " `lexican check --fix` mends it where only one cure is possible.",
+        Fixable::Always => " `lexican check --fix` mends it.",
+    }
 }
 
 /// All rules: `docs/rules.md`.
@@ -41,15 +50,23 @@ const INTRODUCTION: &str = "\
 
 A *deny* means that a master or a generator will go wrong, a *warn* that the standard is broken, a *note* is a matter of
 style. `--level CODE=allow|note|warn|deny` changes that for a rule, or with its letters for a family.
+
+`lexican check --fix` mends what has a safe cure: where only one cure is possible, the device stays as it is described but for
+the fact that the finding is about, and nothing is lost. `--diff` shows what it would change.
 ";
 
 fn table(family: &Family) -> String {
     let mut text = format!("\n## {}: {}\n\n", family.letters, family.title);
-    text.push_str("| code | allow … | level | what it does |\n|---|---|---|---|\n");
+    text.push_str("| code | allow … | level | fix | what it does |\n|---|---|---|---|---|\n");
     for rule in all().iter().filter(|rule| rule.code().family() == family.letters) {
         let (code, name, level, summary) = (rule.code(), rule.name(), rule.level(), rule.summary());
         let anchor = anchor(rule);
-        let _ = writeln!(text, "| [{code}](#{anchor}) | {name} | {level} | {summary} |");
+        let fix = match rule.fixable() {
+            Fixable::Never => "",
+            Fixable::Sometimes => "sometimes",
+            Fixable::Always => "always",
+        };
+        let _ = writeln!(text, "| [{code}](#{anchor}) | {name} | {level} | {fix} | {summary} |");
     }
     text
 }

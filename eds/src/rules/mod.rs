@@ -33,7 +33,7 @@ mod unusual;
 pub use levels::{LevelChange, LevelChangeError, Levels, UnknownRule};
 pub use manual::{anchor, manual, page};
 pub use registry::{Family, all, families, find};
-pub use rule::Rule;
+pub use rule::{Fixable, Rule};
 
 use crate::{
     Reading,
@@ -46,7 +46,7 @@ use crate::{
 pub(crate) use quote::{quoted, similar};
 pub(crate) use report::Report;
 pub(crate) use rule::{DictionaryRule, DocumentRule, DumpRule, EncoderRule, ModelRule, ReadingRule, declare_rule};
-pub(crate) use unusual::{Unusual, octal_cure, unusual, value_name};
+pub(crate) use unusual::{Unusual, certain_decimal, octal_cure, unusual, value_name};
 
 /// Everything that is wrong with a file, in the order of the file; at one place, in the order of the codes.
 ///

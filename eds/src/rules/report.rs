@@ -3,6 +3,7 @@
 use super::{quote::quoted, rule::Facts};
 use crate::{
     diagnostic::{Diagnostic, Level},
+    literal,
     span::Span,
 };
 
@@ -37,6 +38,12 @@ impl<'a> Report<'a> {
         text.unwrap_or_default()
     }
 
+    /// The part of the value at `span` that is no comment. Not for texts, which may have `#` and `;` in them.
+    pub(crate) fn bare(&self, span: Span) -> Span {
+        let length = u32::try_from(literal::bare(self.text(span)).len());
+        Span::new(span.start, length.map_or(span.end, |length| span.start + length))
+    }
+
     /// Reports `message` about `span`; [`Span::default`] stands for the file as a whole. The answer takes a label, related places and the cure.
     pub(crate) fn at(&mut self, span: Span, message: impl Into<String>) -> &mut Diagnostic {
         self.found.push(Diagnostic {
@@ -48,6 +55,7 @@ impl<'a> Report<'a> {
             label: None,
             related: Vec::new(),
             help: None,
+            fix: None,
         });
         let last = self.found.len() - 1;
         &mut self.found[last]

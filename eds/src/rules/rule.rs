@@ -23,10 +23,22 @@ pub(crate) struct Facts {
     pub(crate) code: Code,
     pub(crate) level: Level,
     pub(crate) since: &'static str,
+    pub(crate) fixable: Fixable,
     /// The path of the rule's module; its last part is the rule's name.
     pub(crate) module: &'static str,
     /// The lines of the doc comment, each as written behind `///`.
     pub(crate) documentation: &'static str,
+}
+
+/// Whether a rule's findings come with a [fix](crate::diagnostic::Diagnostic::fix).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fixable {
+    /// The cure needs somebody who knows the device.
+    Never,
+    /// Where only one cure is possible.
+    Sometimes,
+    /// Each of them.
+    Always,
 }
 
 /// The check, by what it looks at.
@@ -136,6 +148,12 @@ impl Rule {
         self.facts.since
     }
 
+    /// Whether `lexican check --fix` mends what it finds.
+    #[must_use]
+    pub const fn fixable(&self) -> Fixable {
+        self.facts.fixable
+    }
+
     /// What it finds, so that it reads well after "allow": `unreadable number`.
     #[must_use]
     pub fn name(&self) -> String {
@@ -189,10 +207,14 @@ impl Rule {
 }
 
 /// Declares a rule: its doc comment is what users read, the braces hold its facts, the module's name is its name.
+///
+/// `fixable: Always` or `fixable: Sometimes` promises that the findings come with a fix.
 macro_rules! declare_rule {
+    (@fixable) => { $crate::rules::Fixable::Never };
+    (@fixable $fixable:ident) => { $crate::rules::Fixable::$fixable };
     (
         $(#[doc = $line:literal])+
-        $visibility:vis $name:ident { code: $code:literal, level: $level:expr, since: $since:literal $(,)? }
+        $visibility:vis $name:ident { code: $code:literal, level: $level:expr, since: $since:literal $(, fixable: $fixable:ident)? $(,)? }
     ) => {
         $(#[doc = $line])+
         $visibility struct $name;
@@ -202,6 +224,7 @@ macro_rules! declare_rule {
                 code: $crate::diagnostic::Code::new($code),
                 level: $level,
                 since: $since,
+                fixable: $crate::rules::declare_rule!(@fixable $($fixable)?),
                 module: module_path!(),
                 documentation: concat!($($line, "\n"),+),
             };

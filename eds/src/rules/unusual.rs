@@ -18,7 +18,7 @@ pub(crate) struct Unusual {
 }
 
 /// The values that are written in the way of `note`.
-pub(crate) fn unusual(eds: &Eds, note: Note) -> impl Iterator<Item = Unusual> {
+pub(crate) fn unusual(eds: &Eds, note: Note) -> impl Iterator<Item = Unusual> + Clone {
     eds.problems().iter().filter_map(move |problem| match *problem {
         Problem::Unusual {
             keyword,
@@ -51,9 +51,25 @@ pub(crate) fn octal_cure(text: &str) -> String {
     }
 }
 
+/// The number that `text` must mean in spite of its leading zeros: with an 8 or a 9 in it, it is no octal number.
+pub(crate) fn certain_decimal(text: &str) -> Option<String> {
+    let digits = text.trim_start_matches(['+', '-']);
+    let all_digits = digits.bytes().all(|byte| byte.is_ascii_digit());
+    let sign = text.get(..text.len() - digits.len()).filter(|sign| sign.len() <= 1)?;
+    (all_digits && digits.contains(['8', '9'])).then(|| format!("{sign}{}", digits.trim_start_matches('0')))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::octal_cure;
+    use super::{certain_decimal, octal_cure};
+
+    #[test]
+    fn a_number_that_cannot_be_octal_is_decimal_and_any_other_remains_in_doubt() {
+        assert_eq!(certain_decimal("08").as_deref(), Some("8"));
+        assert_eq!(certain_decimal("-0019").as_deref(), Some("-19"));
+        assert_eq!(certain_decimal("010"), None);
+        assert_eq!(certain_decimal("08h"), None);
+    }
 
     #[test]
     fn the_cure_of_a_leading_zero_shows_both_readings() {

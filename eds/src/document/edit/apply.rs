@@ -1,7 +1,7 @@
 //! The changed text as bytes.
 
 use super::{Change, Document, Edit, EditError};
-use crate::source::{BYTE_ORDER_MARK, Encoding, Source};
+use crate::source::{BYTE_ORDER_MARK, Encoding, LineEnd, Source};
 use crate::span::Span;
 
 impl Edit<'_> {
@@ -13,13 +13,14 @@ impl Edit<'_> {
         self.changes
             .sort_by_key(|change| (change.line, change.old.start, change.adds_lines));
         let source = self.document.source();
-        let mut written = Written::new(source);
+        let mut written = Written::new(source, self.byte_order_mark);
         let mut changes = self.changes.as_slice();
         for (number, line) in (0..).zip([Span::default()].into_iter().chain(source.lines())) {
             let of_line = changes.iter().take_while(|change| change.line <= number).count();
             let (these, later) = changes.split_at(of_line);
             changes = later;
-            written.line(number, source.slice(line), &changed(source, line, these)?)?;
+            let new = ended(changed(source, line, these)?, self.line_end);
+            written.line(number, source.slice(line), &new)?;
         }
         written.read_back().map(Document::read)
     }
@@ -44,6 +45,14 @@ fn changed(source: &Source, line: Span, changes: &[Change]) -> Result<String, Ed
     Ok(text)
 }
 
+/// `text`, one line or more, with `end` for each of its line ends.
+fn ended(text: String, end: Option<LineEnd>) -> String {
+    match end {
+        Some(end) => text.replace("\r\n", "\n").replace('\r', "\n").replace('\n', end.text()),
+        None => text,
+    }
+}
+
 /// A new file in the making.
 struct Written<'a> {
     source: &'a Source,
@@ -53,12 +62,12 @@ struct Written<'a> {
 }
 
 impl<'a> Written<'a> {
-    fn new(source: &'a Source) -> Self {
+    fn new(source: &'a Source, byte_order_mark: bool) -> Self {
         Self {
             source,
             prevailing: source.prevailing_encoding(),
             text: String::with_capacity(source.text().len()),
-            bytes: if source.byte_order_mark() {
+            bytes: if byte_order_mark {
                 BYTE_ORDER_MARK.to_vec()
             } else {
                 Vec::new()

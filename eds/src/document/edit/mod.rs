@@ -38,6 +38,9 @@ use crate::span::Span;
 pub struct Edit<'a> {
     document: &'a Document,
     changes: Vec<Change>,
+    byte_order_mark: bool,
+    /// What all lines shall end with.
+    line_end: Option<LineEnd>,
 }
 
 /// New text in place of old, both of which may be empty.
@@ -104,10 +107,12 @@ impl std::error::Error for EditError {}
 impl Document {
     /// Starts to change the document.
     #[must_use]
-    pub const fn edit(&self) -> Edit<'_> {
+    pub fn edit(&self) -> Edit<'_> {
         Edit {
             document: self,
             changes: Vec::new(),
+            byte_order_mark: self.source.byte_order_mark(),
+            line_end: None,
         }
     }
 }
@@ -126,6 +131,45 @@ impl Edit<'_> {
             adds_lines: false,
         });
         Ok(())
+    }
+
+    /// Puts `text` in place of what stands at `at`, within one line.
+    ///
+    /// # Errors
+    /// When `text` has a line break in it.
+    pub(crate) fn replace(&mut self, at: Span, text: &str) -> Result<(), EditError> {
+        if text.contains(['\r', '\n']) {
+            return Err(EditError::Unreadable { text: text.to_owned() });
+        }
+        self.changes.push(Change {
+            line: self.line(at),
+            old: at,
+            new: text.to_owned(),
+            adds_lines: false,
+        });
+        Ok(())
+    }
+
+    /// Writes `text` as a comment, above the line that `at` is on.
+    ///
+    /// # Errors
+    /// When `text` has a line break in it.
+    pub(crate) fn comment_above(&mut self, at: Span, text: &str) -> Result<(), EditError> {
+        if text.contains(['\r', '\n']) {
+            return Err(EditError::Unreadable { text: text.to_owned() });
+        }
+        self.add_lines(self.line(at) - 1, &[format!("; {text}")]);
+        Ok(())
+    }
+
+    /// Takes the byte order mark away.
+    pub(crate) fn remove_byte_order_mark(&mut self) {
+        self.byte_order_mark = false;
+    }
+
+    /// Ends every line that ends at all with `end`.
+    pub(crate) fn end_lines_with(&mut self, end: LineEnd) {
+        self.line_end = Some(end);
     }
 
     /// Writes a line below the entry, with the same blanks around key and `=`.

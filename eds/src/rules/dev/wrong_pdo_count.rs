@@ -1,6 +1,7 @@
 use crate::{
     Reading,
     diagnostic::Level,
+    fix::Fix,
     ir::{Dictionary, Direction},
     rules::{ReadingRule, Report, declare_rule},
     span::Spanned,
@@ -30,7 +31,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, NrOfRXPDO and NrOfTXPDO; CANchkEDS V62
-    pub(crate) WrongPdoCount { code: "DEV001", level: Level::Warn, since: "0.1.0" }
+    pub(crate) WrongPdoCount { code: "DEV001", level: Level::Warn, since: "0.1.0", fixable: Sometimes }
 }
 
 impl ReadingRule for WrongPdoCount {
@@ -58,10 +59,13 @@ fn check_count(dictionary: &Dictionary, direction: Direction, stated: Option<Spa
         1 => format!("one {kind}"),
         number => format!("{number} {kind}s"),
     };
+    // With CompactPDO the number makes PDOs.
+    let bare = report.bare(stated.span);
     report
         .at(
             stated.span,
             format!("{keyword} is {}, but the file has {have}", stated.value),
         )
-        .help(format!("write `{keyword}={number}`"));
+        .help(format!("write `{keyword}={number}`"))
+        .fix((dictionary.device.compact_pdo == 0).then(|| Fix::replace(bare, number.to_string())));
 }

@@ -1,7 +1,9 @@
 use crate::{
     diagnostic::Level,
-    document::{Document, Problem},
+    document::{Document, Problem, SectionName},
+    fix::Fix,
     rules::{DocumentRule, Report, declare_rule},
+    span::Span,
 };
 
 declare_rule! {
@@ -26,7 +28,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, object sections; CANchkEDS V12
-    pub(crate) BadSectionName { code: "EDS011", level: Level::Warn, since: "0.1.0" }
+    pub(crate) BadSectionName { code: "EDS011", level: Level::Warn, since: "0.1.0", fixable: Always }
 }
 
 impl DocumentRule for BadSectionName {
@@ -34,6 +36,7 @@ impl DocumentRule for BadSectionName {
         for problem in document.problems() {
             if let Problem::BadSectionName { at } = *problem {
                 let section = report.quote(at);
+                let spelled = SectionName::parse(report.text(at)).spelling();
                 report
                     .at(
                         at,
@@ -41,8 +44,19 @@ impl DocumentRule for BadSectionName {
                     )
                     .help(
                         "write four hexadecimal digits for an index, no `0x`, no blank, no leading zero in a sub-index",
-                    );
+                    )
+                    .fix(spelled.map(|spelled| Fix::replace(between_brackets(document, at), spelled)));
             }
         }
     }
+}
+
+/// The label with the blanks around it, which belong to the name as some readers take it.
+fn between_brackets(document: &Document, label: Span) -> Span {
+    document.section_around(label).map_or(label, |section| {
+        let header = document.text(section.header);
+        let opening = u32::from(header.starts_with('['));
+        let closing = u32::from(header.ends_with(']'));
+        Span::new(section.header.start + opening, section.header.end - closing)
+    })
 }

@@ -1,6 +1,7 @@
 use crate::{
     diagnostic::Level,
     document::{Document, SectionName},
+    fix::Fix,
     rules::{DocumentRule, Report, declare_rule},
 };
 
@@ -26,7 +27,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, device configuration file
-    pub(crate) CommissioningSpelling { code: "EDS024", level: Level::Warn, since: "0.1.0" }
+    pub(crate) CommissioningSpelling { code: "EDS024", level: Level::Warn, since: "0.1.0", fixable: Always }
 }
 
 impl DocumentRule for CommissioningSpelling {
@@ -36,7 +37,8 @@ impl DocumentRule for CommissioningSpelling {
             if document.text(section.label).to_ascii_lowercase().contains("mm") {
                 report
                     .at(section.label, "[DeviceComissioning] has one m in the standard")
-                    .help("write [DeviceComissioning]");
+                    .help("write [DeviceComissioning]")
+                    .fix(Fix::replace(section.label, "DeviceComissioning"));
             }
         }
     }

@@ -1,6 +1,7 @@
 use crate::{
     diagnostic::Level,
     document::{Document, Keyword},
+    fix::Fix,
     rules::{DocumentRule, Report, declare_rule},
 };
 
@@ -25,20 +26,21 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, the keywords of each section
-    pub(crate) KeywordSpelling { code: "EDS012", level: Level::Note, since: "0.1.0" }
+    pub(crate) KeywordSpelling { code: "EDS012", level: Level::Note, since: "0.1.0", fixable: Always }
 }
 
 impl DocumentRule for KeywordSpelling {
     fn check(document: &Document, report: &mut Report) {
         for entry in document.sections().iter().flat_map(|section| &section.entries) {
             if entry.keyword != Keyword::Unknown && !entry.keyword.is_spelled(document.text(entry.key)) {
-                let (keyword, name) = (report.quote(entry.key), entry.keyword.name());
+                let (keyword, spelled) = (report.quote(entry.key), entry.keyword.spelling().unwrap_or_default());
                 report
                     .at(
                         entry.key,
                         format!("keyword {keyword} is not spelled as in the standard"),
                     )
-                    .help(format!("write `{name}`"));
+                    .help(format!("write `{spelled}`"))
+                    .fix(Fix::replace(entry.key, spelled));
             }
         }
     }

@@ -1,6 +1,7 @@
-use super::lists::lists;
+use super::lists::{is_plain, lists};
 use crate::{
     diagnostic::Level,
+    fix::{Change, Fix},
     model::Eds,
     rules::{ModelRule, Report, declare_rule},
 };
@@ -30,12 +31,12 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, object lists; CANchkEDS W3
-    pub(crate) ListGap { code: "EDS014", level: Level::Warn, since: "0.1.0" }
+    pub(crate) ListGap { code: "EDS014", level: Level::Warn, since: "0.1.0", fixable: Sometimes }
 }
 
 impl ModelRule for ListGap {
     fn check(eds: &Eds, report: &mut Report) {
-        for (_, list) in lists(eds) {
+        for (name, list) in lists(eds) {
             let mut numbers: Vec<_> = list.items.iter().map(|item| item.number).collect();
             numbers.sort_by_key(|number| number.value);
             numbers.dedup_by_key(|number| number.value);
@@ -49,7 +50,8 @@ impl ModelRule for ListGap {
                         number.span,
                         format!("line {} of the list is here, line {expected} is missing", number.value),
                     )
-                    .help("number the lines 1, 2, 3 …");
+                    .help("number the lines 1, 2, 3 …")
+                    .fix(is_plain(list).then(|| Fix::new(Change::Number { list: name })));
             }
         }
     }

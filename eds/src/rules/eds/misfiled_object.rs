@@ -1,6 +1,7 @@
-use super::lists::lists;
+use super::lists::{is_open, is_plain, lists};
 use crate::{
     diagnostic::Level,
+    fix::{Change, Fix},
     ir::ObjectList,
     model::Eds,
     rules::{ModelRule, Report, declare_rule},
@@ -39,7 +40,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, object lists; CANchkEDS V28
-    pub(crate) MisfiledObject { code: "EDS008", level: Level::Warn, since: "0.1.0" }
+    pub(crate) MisfiledObject { code: "EDS008", level: Level::Warn, since: "0.1.0", fixable: Sometimes }
 }
 
 impl ModelRule for MisfiledObject {
@@ -54,7 +55,11 @@ impl ModelRule for MisfiledObject {
                     let (wrong, right) = (name.section(), home.section());
                     report
                         .at(listed.span, format!("object {index:04X}h does not belong in [{wrong}]"))
-                        .help(format!("move it to [{right}]"));
+                        .help(format!("move it to [{right}]"))
+                        .fix((is_plain(list) && is_open(eds, home)).then(|| {
+                            let enlist = Change::Enlist { list: home, index };
+                            Fix::new(Change::Strike { at: listed.span }).and(enlist)
+                        }));
                 }
             }
         }

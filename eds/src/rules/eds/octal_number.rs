@@ -1,9 +1,10 @@
 use crate::{
     diagnostic::Level,
     document::Keyword,
+    fix::Fix,
     literal::{Fault, Note},
     model::{Eds, Expected, Problem},
-    rules::{ModelRule, Report, declare_rule, octal_cure},
+    rules::{ModelRule, Report, certain_decimal, declare_rule, octal_cure},
 };
 
 declare_rule! {
@@ -28,7 +29,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CANchkEDS V21
-    pub(crate) OctalNumber { code: "EDS013", level: Level::Warn, since: "0.1.0" }
+    pub(crate) OctalNumber { code: "EDS013", level: Level::Warn, since: "0.1.0", fixable: Sometimes }
 }
 
 impl ModelRule for OctalNumber {
@@ -56,9 +57,12 @@ impl ModelRule for OctalNumber {
             };
             let (keyword, value) = (problem.keyword().name(), report.quote(problem.span()));
             let cure = octal_cure(report.text(problem.span()));
+            let bare = report.bare(problem.span());
+            let plain = certain_decimal(report.text(bare));
             report
                 .at(problem.span(), format!("{keyword} {value} {fact}"))
-                .help(cure);
+                .help(cure)
+                .fix(plain.map(|plain| Fix::replace(bare, plain)));
         }
     }
 }

@@ -1,8 +1,10 @@
 use crate::{
     diagnostic::Level,
+    fix::{Change, Fix},
     literal::Note,
     model::Eds,
     rules::{ModelRule, Report, Unusual, declare_rule, unusual},
+    span::Span,
 };
 
 declare_rule! {
@@ -27,16 +29,22 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, format of the file: comments
-    pub(crate) TrailingComment { code: "EDS025", level: Level::Warn, since: "0.1.0" }
+    pub(crate) TrailingComment { code: "EDS025", level: Level::Warn, since: "0.1.0", fixable: Always }
 }
 
 impl ModelRule for TrailingComment {
     fn check(eds: &Eds, report: &mut Report) {
         for Unusual { keyword, at, .. } in unusual(eds, Note::TrailingComment) {
-            let value = report.quote(at);
+            let (value, bare) = (report.quote(at), report.bare(at));
+            let behind = Span::new(bare.end, at.end);
+            let comment = report.text(behind).trim_start_matches([' ', '\t', '#', ';']);
             report
                 .at(at, format!("{keyword} {value} has a comment after its value"))
-                .help("move the comment to a line of its own that starts with `;`");
+                .help("move the comment to a line of its own that starts with `;`")
+                .fix(Fix::replace(behind, "").and(Change::Comment {
+                    at,
+                    text: comment.to_owned(),
+                }));
         }
     }
 }

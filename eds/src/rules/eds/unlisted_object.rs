@@ -1,6 +1,8 @@
+use super::lists::is_open;
 use crate::{
     Reading,
     diagnostic::Level,
+    fix::{Change, Fix},
     ir::{ObjectList, Problem},
     rules::{ReadingRule, Report, declare_rule},
 };
@@ -35,17 +37,21 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, object lists
-    pub(crate) UnlistedObject { code: "EDS006", level: Level::Warn, since: "0.1.0" }
+    pub(crate) UnlistedObject { code: "EDS006", level: Level::Warn, since: "0.1.0", fixable: Sometimes }
 }
 
 impl ReadingRule for UnlistedObject {
     fn check(reading: &Reading, report: &mut Report) {
+        let lists = [ObjectList::Mandatory, ObjectList::Optional, ObjectList::Manufacturer];
+        let open: Vec<_> = lists.into_iter().filter(|list| is_open(&reading.eds, *list)).collect();
         for problem in &reading.problems {
             if let Problem::UnlistedObject { index, at } = *problem {
-                let list = ObjectList::of(index).section();
+                let list = ObjectList::of(index);
+                let fix = Fix::new(Change::Enlist { list, index });
                 report
                     .at(at, format!("object {index:04X}h is in no list"))
-                    .help(format!("add it to [{list}]"));
+                    .help(format!("add it to [{}]", list.section()))
+                    .fix(open.contains(&list).then_some(fix));
             }
         }
     }

@@ -1,6 +1,8 @@
-use super::lists::lists;
+use super::lists::{is_plain, lists};
 use crate::{
     diagnostic::Level,
+    fix::{Change, Fix},
+    ir::ObjectList,
     model::{Eds, List},
     rules::{ModelRule, Report, declare_rule},
 };
@@ -30,18 +32,18 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, object lists; CANchkEDS V5
-    pub(crate) WrongObjectCount { code: "EDS005", level: Level::Warn, since: "0.1.0" }
+    pub(crate) WrongObjectCount { code: "EDS005", level: Level::Warn, since: "0.1.0", fixable: Sometimes }
 }
 
 impl ModelRule for WrongObjectCount {
     fn check(eds: &Eds, report: &mut Report) {
-        for (_, list) in lists(eds) {
-            check_list(list, report);
+        for (name, list) in lists(eds) {
+            check_list(name, list, report);
         }
     }
 }
 
-fn check_list(list: &List<u16>, report: &mut Report) {
+fn check_list(name: ObjectList, list: &List<u16>, report: &mut Report) {
     let Some(count) = list.count else { return };
     let listed = list.items.len();
     if count.value as usize != listed {
@@ -51,6 +53,7 @@ fn check_list(list: &List<u16>, report: &mut Report) {
                 count.span,
                 format!("SupportedObjects is {}, but {listed} {objects} listed", count.value),
             )
-            .help(format!("write `SupportedObjects={listed}`"));
+            .help(format!("write `SupportedObjects={listed}`"))
+            .fix(is_plain(list).then(|| Fix::new(Change::Number { list: name })));
     }
 }

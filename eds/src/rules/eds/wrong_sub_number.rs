@@ -1,5 +1,7 @@
 use crate::{
     diagnostic::Level,
+    document::Keyword,
+    fix::{Change, Fix},
     ir::ObjectCode,
     model::{Eds, Object},
     rules::{ModelRule, Report, declare_rule},
@@ -35,7 +37,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, SubNumber; CANchkEDS V6, W2, V34
-    pub(crate) WrongSubNumber { code: "EDS009", level: Level::Warn, since: "0.1.0" }
+    pub(crate) WrongSubNumber { code: "EDS009", level: Level::Warn, since: "0.1.0", fixable: Always }
 }
 
 impl ModelRule for WrongSubNumber {
@@ -72,5 +74,16 @@ fn check_object(object: &Object, report: &mut Report) {
             format!("SubNumber is missing; {sections} {have} a section"),
         ),
     };
-    report.at(span, message).help(format!("write `SubNumber={sections}`"));
+    let fix = match description.sub_number {
+        Some(number) => Fix::replace(report.bare(number.span), sections.to_string()),
+        None => Fix::new(Change::Keyword {
+            header: description.header,
+            keyword: Keyword::SubNumber,
+            value: sections.to_string(),
+        }),
+    };
+    report
+        .at(span, message)
+        .help(format!("write `SubNumber={sections}`"))
+        .fix((!description.mentions(Keyword::SubNumber) || description.sub_number.is_some()).then_some(fix));
 }

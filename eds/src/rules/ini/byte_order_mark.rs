@@ -1,6 +1,7 @@
 use crate::{
     diagnostic::Level,
     document::{Document, Problem},
+    fix::{Change, Fix},
     rules::{DocumentRule, Report, declare_rule},
 };
 
@@ -17,7 +18,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, format of the file: ASCII
-    pub(crate) ByteOrderMark { code: "INI011", level: Level::Warn, since: "0.1.0" }
+    pub(crate) ByteOrderMark { code: "INI011", level: Level::Warn, since: "0.1.0", fixable: Always }
 }
 
 impl DocumentRule for ByteOrderMark {
@@ -26,7 +27,8 @@ impl DocumentRule for ByteOrderMark {
             if let Problem::ByteOrderMark { at } = *problem {
                 report
                     .at(at, "a byte order mark comes before this line")
-                    .help("save the file as ASCII, or as UTF-8 without a byte order mark");
+                    .help("save the file as ASCII, or as UTF-8 without a byte order mark")
+                    .fix(Fix::new(Change::ByteOrderMark));
             }
         }
     }

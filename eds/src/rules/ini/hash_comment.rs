@@ -1,7 +1,9 @@
 use crate::{
     diagnostic::Level,
     document::{Document, Problem},
+    fix::Fix,
     rules::{DocumentRule, Report, declare_rule},
+    span::Span,
 };
 
 declare_rule! {
@@ -27,7 +29,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, format of the file: comments
-    pub(crate) HashComment { code: "INI013", level: Level::Warn, since: "0.1.0" }
+    pub(crate) HashComment { code: "INI013", level: Level::Warn, since: "0.1.0", fixable: Always }
 }
 
 impl DocumentRule for HashComment {
@@ -36,7 +38,8 @@ impl DocumentRule for HashComment {
             if let Problem::HashComment { at } = *problem {
                 report
                     .at(at, "a comment starts with `;`, not with `#`")
-                    .help("write `;` in place of `#`");
+                    .help("write `;` in place of `#`")
+                    .fix(Fix::replace(Span::new(at.start, at.start + 1), ";"));
             }
         }
     }

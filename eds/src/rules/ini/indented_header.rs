@@ -1,7 +1,9 @@
 use crate::{
     diagnostic::Level,
     document::{Document, Problem},
+    fix::Fix,
     rules::{DocumentRule, Report, declare_rule},
+    span::Span,
 };
 
 declare_rule! {
@@ -25,16 +27,18 @@ declare_rule! {
     ///
     /// ## Reference
     /// CANchkEDS V3
-    pub(crate) IndentedHeader { code: "INI007", level: Level::Warn, since: "0.1.0" }
+    pub(crate) IndentedHeader { code: "INI007", level: Level::Warn, since: "0.1.0", fixable: Always }
 }
 
 impl DocumentRule for IndentedHeader {
     fn check(document: &Document, report: &mut Report) {
         for problem in document.problems() {
             if let Problem::IndentedHeader { at } = *problem {
+                let line = document.source().line_span(document.source().line_column(at).line);
                 report
                     .at(at, format!("header {} does not start in column 1", report.quote(at)))
-                    .help("remove the blanks before it");
+                    .help("remove the blanks before it")
+                    .fix(Fix::replace(Span::new(line.start, at.start), ""));
             }
         }
     }

@@ -1,6 +1,7 @@
 use crate::{
     diagnostic::Level,
     document::{Document, Problem},
+    fix::{Change, Fix},
     rules::{DocumentRule, Report, declare_rule},
 };
 
@@ -16,7 +17,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, format of the file: lines
-    pub(crate) MixedLineEnds { code: "INI012", level: Level::Note, since: "0.1.0" }
+    pub(crate) MixedLineEnds { code: "INI012", level: Level::Note, since: "0.1.0", fixable: Always }
 }
 
 impl DocumentRule for MixedLineEnds {
@@ -25,7 +26,8 @@ impl DocumentRule for MixedLineEnds {
             if let Problem::MixedLineEnds { at } = *problem {
                 report
                     .at(at, "this line does not end like the line before it")
-                    .help("save the file with the same line end everywhere, best CR LF");
+                    .help("save the file with the same line end everywhere, best CR LF")
+                    .fix(Fix::new(Change::LineEnds));
             }
         }
     }

@@ -1,5 +1,6 @@
 use crate::{
     diagnostic::Level,
+    fix::Fix,
     literal::Note,
     model::Eds,
     rules::{ModelRule, Report, Unusual, declare_rule, unusual},
@@ -26,7 +27,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, AccessType; CANchkEDS V29
-    pub(crate) AbbreviatedAccessType { code: "OBJ024", level: Level::Warn, since: "0.1.0" }
+    pub(crate) AbbreviatedAccessType { code: "OBJ024", level: Level::Warn, since: "0.1.0", fixable: Always }
 }
 
 impl ModelRule for AbbreviatedAccessType {
@@ -34,10 +35,11 @@ impl ModelRule for AbbreviatedAccessType {
         for Unusual { keyword, at, .. } in unusual(eds, Note::Abbreviation) {
             let text = report.text(at);
             let word = if text.starts_with(['r', 'R']) { "ro" } else { "wo" };
-            let value = report.quote(at);
+            let (value, bare) = (report.quote(at), report.bare(at));
             report
                 .at(at, format!("{keyword} {value} is not a word of the standard"))
-                .help(format!("write `{word}`"));
+                .help(format!("write `{word}`"))
+                .fix(Fix::replace(bare, word));
         }
     }
 }

@@ -1,9 +1,11 @@
 use super::words::more;
 use crate::{
     diagnostic::Level,
+    fix::{Change, Fix},
     literal::Note,
     model::Eds,
     rules::{ModelRule, Report, Unusual, declare_rule, unusual},
+    span::Span,
 };
 
 declare_rule! {
@@ -27,18 +29,28 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, AccessType
-    pub(crate) LetterCase { code: "OBJ013", level: Level::Note, since: "0.1.0" }
+    pub(crate) LetterCase { code: "OBJ013", level: Level::Note, since: "0.1.0", fixable: Always }
 }
 
 impl ModelRule for LetterCase {
     fn check(eds: &Eds, report: &mut Report) {
-        let mut found = unusual(eds, Note::LetterCase);
-        if let Some(Unusual { keyword, at, .. }) = found.next() {
-            let cure = format!("write `{}`", report.text(at).to_ascii_lowercase());
-            let (value, more) = (report.quote(at), more(found.count()));
+        let found = unusual(eds, Note::LetterCase);
+        if let Some(Unusual { keyword, at, .. }) = found.clone().next() {
+            let cure = format!("write `{}`", report.text(report.bare(at)).to_ascii_lowercase());
+            let fix: Fix = found.clone().map(|Unusual { at, .. }| lower(report, at)).collect();
+            let (value, more) = (report.quote(at), more(found.count() - 1));
             report
                 .at(at, format!("{keyword} {value} is not in small letters{more}"))
-                .help(cure);
+                .help(cure)
+                .fix(fix);
         }
+    }
+}
+
+fn lower(report: &Report, at: Span) -> Change {
+    let at = report.bare(at);
+    Change::Replace {
+        at,
+        text: report.text(at).to_ascii_lowercase(),
     }
 }

@@ -1,5 +1,6 @@
 use crate::{
     diagnostic::Level,
+    fix::Fix,
     literal::Note,
     model::{Eds, Problem},
     rules::{ModelRule, Report, declare_rule, value_name},
@@ -26,7 +27,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, DefaultValue
-    pub(crate) NodeIdSpelling { code: "OBJ014", level: Level::Warn, since: "0.1.0" }
+    pub(crate) NodeIdSpelling { code: "OBJ014", level: Level::Warn, since: "0.1.0", fixable: Sometimes }
 }
 
 impl ModelRule for NodeIdSpelling {
@@ -41,15 +42,26 @@ impl ModelRule for NodeIdSpelling {
             } = *problem
                 && last != Some(at)
             {
-                let (keyword, value) = (value_name(keyword), report.quote(at));
+                let (keyword, value, bare) = (value_name(keyword), report.quote(at), report.bare(at));
+                let fix = spelled(report.text(bare)).map(|text| Fix::replace(bare, text));
                 report
                     .at(
                         at,
                         format!("{keyword} {value} does not spell $NODEID as the standard does"),
                     )
-                    .help("write `$NODEID`");
+                    .help("write `$NODEID`")
+                    .fix(fix);
                 last = Some(at);
             }
         }
     }
+}
+
+/// The formula with `$NODEID` as the standard spells it.
+fn spelled(text: &str) -> Option<String> {
+    let name = text.to_ascii_uppercase().find("NODEID")?;
+    let before = text.get(..name)?;
+    let before = before.trim_end().strip_suffix('$').unwrap_or(before);
+    let after = text.get(name + "NODEID".len()..)?;
+    Some(format!("{before}$NODEID{after}"))
 }

@@ -1,8 +1,9 @@
 use crate::{
     diagnostic::Level,
+    fix::Fix,
     literal::{Fault, Note},
     model::{Eds, Expected, Problem},
-    rules::{ModelRule, Report, declare_rule, octal_cure, value_name},
+    rules::{ModelRule, Report, certain_decimal, declare_rule, octal_cure, value_name},
 };
 
 declare_rule! {
@@ -28,7 +29,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, format of the file: numbers; CANchkEDS V21
-    pub(crate) OctalValue { code: "OBJ021", level: Level::Deny, since: "0.1.0" }
+    pub(crate) OctalValue { code: "OBJ021", level: Level::Deny, since: "0.1.0", fixable: Sometimes }
 }
 
 impl ModelRule for OctalValue {
@@ -49,9 +50,12 @@ impl ModelRule for OctalValue {
             };
             let (keyword, value) = (value_name(problem.keyword()), report.quote(problem.span()));
             let cure = octal_cure(report.text(problem.span()));
+            let bare = report.bare(problem.span());
+            let plain = certain_decimal(report.text(bare));
             report
                 .at(problem.span(), format!("{keyword} {value} {fact}"))
-                .help(cure);
+                .help(cure)
+                .fix(plain.map(|plain| Fix::replace(bare, plain)));
         }
     }
 }

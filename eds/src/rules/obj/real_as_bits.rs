@@ -1,7 +1,9 @@
 use crate::{
     diagnostic::Level,
-    literal::Note,
-    model::Eds,
+    fix::Fix,
+    ir::{DataType, Value},
+    literal::{self, Note},
+    model::{Eds, Expected},
     rules::{ModelRule, Report, Unusual, declare_rule, unusual},
 };
 
@@ -28,16 +30,32 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, format of the file: numbers
-    pub(crate) RealAsBits { code: "OBJ015", level: Level::Note, since: "0.1.0" }
+    pub(crate) RealAsBits { code: "OBJ015", level: Level::Note, since: "0.1.0", fixable: Sometimes }
 }
 
 impl ModelRule for RealAsBits {
     fn check(eds: &Eds, report: &mut Report) {
-        for Unusual { keyword, at, .. } in unusual(eds, Note::RealAsBits) {
+        for Unusual { keyword, expected, at } in unusual(eds, Note::RealAsBits) {
+            let bare = report.bare(at);
+            let decimal = match expected {
+                Expected::Value(data_type) => decimal(report.text(bare), data_type),
+                _ => None,
+            };
+            let cure = decimal.as_ref().map(|decimal| format!("write `{decimal}`"));
             let value = report.quote(at);
             report
                 .at(at, format!("{keyword} {value} is a real number given by its bits"))
-                .help("write it in decimal");
+                .help(cure.unwrap_or_else(|| "write it in decimal".into()))
+                .fix(decimal.map(|decimal| Fix::replace(bare, decimal)));
         }
+    }
+}
+
+/// The shortest decimal number that is these bits; infinity and NaN have none.
+fn decimal(text: &str, data_type: DataType) -> Option<String> {
+    match literal::value(text, data_type).ok()?.value {
+        Value::Real32(value) if value.is_finite() => Some(format!("{value:?}")),
+        Value::Real64(value) if value.is_finite() => Some(format!("{value:?}")),
+        _ => None,
     }
 }

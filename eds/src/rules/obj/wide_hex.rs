@@ -1,7 +1,7 @@
 use super::words::more;
 use crate::{
     diagnostic::Level,
-    ir::DataType,
+    fix::{Change, Fix},
     literal::Note,
     model::{Eds, Expected},
     rules::{ModelRule, Report, Unusual, declare_rule, unusual},
@@ -30,31 +30,44 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, format of the file: numbers
-    pub(crate) WideHex { code: "OBJ012", level: Level::Note, since: "0.1.0" }
+    pub(crate) WideHex { code: "OBJ012", level: Level::Note, since: "0.1.0", fixable: Sometimes }
 }
 
 impl ModelRule for WideHex {
     fn check(eds: &Eds, report: &mut Report) {
-        let mut found = unusual(eds, Note::WideHex);
-        if let Some(Unusual { keyword, expected, at }) = found.next() {
-            let cure = match expected {
-                Expected::Value(data_type) => narrow(report.text(at), data_type),
-                _ => None,
-            };
-            let (value, more) = (report.quote(at), more(found.count()));
-            report
-                .at(at, format!("{keyword} {value} has more digits than its type{more}"))
-                .help(cure.unwrap_or_else(|| "leave out leading zeros".into()));
-        }
+        let found = unusual(eds, Note::WideHex);
+        let Some(Unusual { keyword, at, .. }) = found.clone().next() else {
+            return;
+        };
+        let narrow = |found: Unusual| narrow(report, &found);
+        let changes: Option<Vec<Change>> = found.clone().map(narrow).collect();
+        let cure = match changes.as_deref() {
+            Some([Change::Replace { text, .. }, ..]) => format!("write `{text}`"),
+            _ => "leave out leading zeros".to_owned(),
+        };
+        let (value, more) = (report.quote(at), more(found.count() - 1));
+        report
+            .at(at, format!("{keyword} {value} has more digits than its type{more}"))
+            .help(cure)
+            .fix(changes.map(Fix::from_iter));
     }
 }
 
-fn narrow(text: &str, data_type: DataType) -> Option<String> {
-    let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"))?;
-    let wide = digits.len().checked_sub(data_type.bytes()? * 2)?;
-    let (zeros, digits) = digits.split_at_checked(wide)?;
+/// The value, or the number in its formula, with as many digits as its type has.
+fn narrow(report: &Report, found: &Unusual) -> Option<Change> {
+    let Expected::Value(data_type) = found.expected else {
+        return None;
+    };
+    let at = report.bare(found.at);
+    let text = report.text(at);
+    let start = text.find("0x").or_else(|| text.find("0X"))? + 2;
+    let (before, rest) = text.split_at_checked(start)?;
+    let length = rest.bytes().take_while(u8::is_ascii_hexdigit).count();
+    let (digits, after) = rest.split_at_checked(length)?;
+    let (zeros, digits) = digits.split_at_checked(length.checked_sub(data_type.bytes()? * 2)?)?;
+    let text = format!("{before}{digits}{after}");
     zeros
         .bytes()
         .all(|byte| byte == b'0')
-        .then(|| format!("write `0x{digits}`"))
+        .then_some(Change::Replace { at, text })
 }

@@ -2,6 +2,7 @@ use super::mapped::{is_variable, pdos};
 use crate::{
     Reading,
     diagnostic::Level,
+    fix::Fix,
     rules::{ReadingRule, Report, declare_rule},
 };
 
@@ -30,7 +31,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, Granularity; CANchkEDS V69
-    pub(crate) NeedlessGranularity { code: "PDO015", level: Level::Note, since: "0.1.0" }
+    pub(crate) NeedlessGranularity { code: "PDO015", level: Level::Note, since: "0.1.0", fixable: Always }
 }
 
 impl ReadingRule for NeedlessGranularity {
@@ -41,13 +42,14 @@ impl ReadingRule for NeedlessGranularity {
         };
         let mut variable = pdos(&reading.dictionary).filter_map(is_variable).peekable();
         if variable.peek().is_some() && variable.all(|variable| !variable) {
-            let value = granularity.value;
+            let (value, bare) = (granularity.value, report.bare(granularity.span));
             report
                 .at(
                     granularity.span,
                     format!("Granularity is {value}, but no PDO mapping can be changed"),
                 )
-                .help("write `Granularity=0`");
+                .help("write `Granularity=0`")
+                .fix(Fix::replace(bare, "0"));
         }
     }
 }

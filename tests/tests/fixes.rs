@@ -1,0 +1,191 @@
+//! What `lexican check --fix` promises, held against the rules' fixtures and the real files.
+
+use std::{collections::BTreeMap, fs, path::Path, sync::LazyLock};
+
+use lexican_eds::{
+    Reading,
+    diagnostic::{Diagnostic, Level},
+    fix::{self, Mended},
+    ir::{Dictionary, EntrySpans, FileInfo},
+    rules::{self, Fixable, LevelChange, Levels, Rule},
+    span::Span,
+};
+use lexican_tests::corpus::corpus;
+
+fn check(reading: &Reading) -> Vec<Diagnostic> {
+    rules::check(reading, &Levels::default())
+}
+
+/// The failing fixture of each rule about files.
+fn fixtures() -> impl Iterator<Item = (&'static Rule, Reading)> {
+    let rules = rules::all().iter().filter(|rule| rule.code().family() != "DMP");
+    rules.map(|rule| {
+        let name = format!("{}.eds", rule.code());
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/rules").join(&name);
+        let bytes = fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        (rule, lexican_eds::read(name, bytes))
+    })
+}
+
+/// A file, what is found in it, and what becomes of it.
+struct Case {
+    reading: Reading,
+    found: Vec<Diagnostic>,
+    mended: Mended,
+}
+
+impl Case {
+    fn new(reading: Reading) -> Self {
+        Self {
+            found: check(&reading),
+            mended: fix::mend(reading.clone(), check),
+            reading,
+        }
+    }
+
+    fn name(&self) -> &str {
+        self.reading.document.source().name()
+    }
+}
+
+/// The fixtures, and the real files where they are.
+fn cases() -> &'static [Case] {
+    static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| {
+        let real = corpus("files").into_iter().flatten();
+        let real = real.map(|file| lexican_eds::read(file.name, file.bytes));
+        let readings = fixtures().map(|(_, reading)| reading).chain(real);
+        readings.map(Case::new).collect()
+    });
+    &CASES
+}
+
+#[test]
+fn what_is_called_fixable_is_fixed_and_nothing_else_is() {
+    for (rule, reading) in fixtures() {
+        let code = rule.code();
+        let found = check(&reading);
+        let offered = found.iter().all(|diagnostic| diagnostic.fix.is_some());
+        // Of a leading zero only `08` and `09` are certain, and the fixture of OBJ021 shows another.
+        let expected = rule.fixable() != Fixable::Never && code.as_str() != "OBJ021";
+        assert_eq!(offered, expected, "{code}");
+        let mended = fix::mend(reading, check);
+        if offered {
+            assert_eq!(mended.remaining, [], "{code}");
+            assert_eq!(mended.fixed.into_iter().collect::<Vec<_>>(), [(code, 1)]);
+        } else {
+            assert!(mended.fixed.is_empty(), "{code}");
+        }
+    }
+}
+
+#[test]
+fn a_rule_that_always_or_never_fixes_does_so_in_real_files() {
+    for case in cases() {
+        for diagnostic in &case.found {
+            let rule = rules::find(diagnostic.code.as_str()).unwrap();
+            let (name, code, offered) = (case.name(), rule.code(), diagnostic.fix.is_some());
+            match rule.fixable() {
+                Fixable::Always => assert!(offered, "{name}: {code} {}", diagnostic.message),
+                Fixable::Never => assert!(!offered, "{name}: {code} {}", diagnostic.message),
+                Fixable::Sometimes => {}
+            }
+        }
+    }
+}
+
+#[test]
+fn a_fixed_file_has_nothing_left_to_fix_and_fixing_it_again_changes_nothing() {
+    for case in cases() {
+        let (name, remaining) = (case.name(), &case.mended.remaining);
+        let left: Vec<_> = remaining.iter().filter(|diagnostic| diagnostic.fix.is_some()).collect();
+        assert!(left.is_empty(), "{name}: {left:#?}");
+        let bytes = case.mended.reading.document.to_bytes();
+        let again = fix::mend(lexican_eds::read(name, bytes.clone()), check);
+        assert!(again.reading.document.to_bytes() == bytes, "{name}");
+        assert!(again.fixed.is_empty(), "{name}");
+    }
+}
+
+#[test]
+fn a_fixed_file_has_no_new_findings_but_notes() {
+    let grave = |found: &[Diagnostic]| {
+        let mut counts = BTreeMap::<&str, usize>::new();
+        for diagnostic in found.iter().filter(|diagnostic| diagnostic.level > Level::Note) {
+            *counts.entry(diagnostic.code.as_str()).or_default() += 1;
+        }
+        counts
+    };
+    for case in cases() {
+        let before = grave(&case.found);
+        for (code, number) in grave(&case.mended.remaining) {
+            let known = before.get(code).copied().unwrap_or_default();
+            let name = case.name();
+            assert!(number <= known, "{name}: {number} of {code}, {known} before");
+        }
+    }
+}
+
+/// What the fixes of a rule may change of the device, made the same in `dictionary`.
+fn without_what_changes(code: &str, dictionary: &mut Dictionary) {
+    match code {
+        "EDS006" | "EDS008" | "EDS015" => dictionary.objects.iter_mut().for_each(|object| object.list = None),
+        "EDS013" => dictionary.file = FileInfo::default(),
+        "OBJ021" => entries(dictionary, |entry| {
+            (entry.default, entry.low, entry.high) = (None, None, None);
+        }),
+        "DEV001" => (dictionary.device.nr_of_rx_pdo, dictionary.device.nr_of_tx_pdo) = (None, None),
+        "PDO015" => dictionary.device.granularity = 0,
+        _ => {}
+    }
+}
+
+fn entries(dictionary: &mut Dictionary, change: impl Fn(&mut lexican_eds::ir::Entry)) {
+    dictionary
+        .objects
+        .iter_mut()
+        .flat_map(|object| &mut object.entries)
+        .for_each(change);
+}
+
+fn without_places(mut dictionary: Dictionary) -> Dictionary {
+    dictionary
+        .objects
+        .iter_mut()
+        .for_each(|object| object.span = Span::default());
+    entries(&mut dictionary, |entry| entry.spans = EntrySpans::default());
+    dictionary
+}
+
+/// Fixes what one rule finds.
+fn mend_one(reading: Reading, rule: &Rule) -> Mended {
+    let silent = rules::families().iter().map(|family| (family.letters, Level::Allow));
+    let changes = silent.chain([(rule.code().as_str(), rule.level())]);
+    let changes = changes.filter_map(|(selector, level)| LevelChange::new(selector, level).ok());
+    let levels = changes.fold(Levels::default(), Levels::with);
+    fix::mend(reading, |reading| rules::check(reading, &levels))
+}
+
+#[test]
+fn the_device_stays_the_same_but_for_what_the_rule_is_about() {
+    for case in cases() {
+        let before = without_places(case.reading.dictionary.clone());
+        for rule in rules::all().iter().filter(|rule| rule.fixable() != Fixable::Never) {
+            let is_fixed = |found: &Diagnostic| found.code == rule.code() && found.fix.is_some();
+            if case.found.iter().any(is_fixed) {
+                let code = rule.code().as_str();
+                let mut before = before.clone();
+                let mut after = without_places(mend_one(case.reading.clone(), rule).reading.dictionary);
+                without_what_changes(code, &mut before);
+                without_what_changes(code, &mut after);
+                assert_same(&before, &after, &format!("{}: {code}", case.name()));
+            }
+        }
+    }
+}
+
+fn assert_same(before: &Dictionary, after: &Dictionary, what: &str) {
+    for (one, other) in before.objects.iter().zip(&after.objects) {
+        assert!(one == other, "{what}: {:04X}h, {:04X}h", one.index, other.index);
+    }
+    assert!(before == after, "{what}: {:#?} {:#?}", before.device, after.device);
+}
