@@ -2,6 +2,7 @@
 
 /// The error state of a CAN controller (ISO 11898-1): how much it trusts itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum BusState {
     /// Error active: as it should be.
     #[default]

@@ -11,6 +11,7 @@ use crate::{
 /// An application gets it by the method `event` of its generated `Handlers`; there it may change fields of the dictionary.
 /// New events come with new services, so a `match` needs an arm for the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Event {
     /// The node has entered this NMT state. INITIALISING is not told: [`Event::Reset`] is.
@@ -34,6 +35,7 @@ pub enum Event {
 
 /// What is new about another node's heartbeat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Heard {
     /// A heartbeat with another state than before, or the first one.
     State(NmtState),

@@ -13,6 +13,7 @@ use crate::{wire::emcy::Emergency, BusState, NmtState};
 
 /// What an LED shows. Flickering is 10 Hz, blinking 2.5 Hz; flashes last 200 ms, 200 ms apart, with 1000 ms between groups.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Pattern {
     /// Never lit.
     Off,

@@ -30,6 +30,8 @@ mod address;
 mod bus_state;
 mod event;
 mod instant;
+#[cfg(feature = "defmt")]
+mod log;
 mod node;
 mod node_id;
 

@@ -100,6 +100,7 @@ pub trait Device {
 
 /// How much an NMT command resets (CiA 301, 7.3.2.2.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Reset {
     /// Reset node: the whole dictionary.
     Node,

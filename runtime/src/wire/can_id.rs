@@ -10,7 +10,7 @@ use crate::NodeId;
 pub struct CanId(u32);
 
 /// Set in a [`CanId`] of 29 bits.
-const EXTENDED: u32 = 1 << 29;
+pub(super) const EXTENDED: u32 = 1 << 29;
 
 impl CanId {
     /// 000h: NMT commands.

@@ -7,6 +7,7 @@
 
 /// What an emergency message says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Emergency {
     /// The error code: class in the high byte (CiA 301, table 26), detail in the low byte; 0000h says that an error is gone.
     pub code: u16,

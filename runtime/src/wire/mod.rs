@@ -17,6 +17,8 @@ pub mod sync;
 
 mod can_id;
 mod cob_id;
+#[cfg(feature = "embedded-can")]
+mod embedded_can;
 mod frame;
 
 pub use can_id::CanId;

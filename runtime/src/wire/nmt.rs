@@ -6,6 +6,7 @@ use crate::NodeId;
 
 /// A node's NMT state. Its number is what a heartbeat carries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum NmtState {
     /// Before the boot-up message, and again after a reset: no service answers. In a heartbeat 00h: the boot-up message.
     Initialising,
@@ -44,6 +45,7 @@ impl NmtState {
 
 /// What the master orders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum NmtCommand {
     /// 01h: go OPERATIONAL.
     Start,
@@ -86,6 +88,7 @@ impl NmtCommand {
 
 /// Who is to obey.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Recipient {
     /// 0: all nodes.
     All,
@@ -106,6 +109,7 @@ impl Recipient {
 
 /// A command and who is to obey it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Request {
     /// The order.
     pub command: NmtCommand,

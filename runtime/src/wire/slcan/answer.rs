@@ -9,6 +9,7 @@ use crate::wire::Frame;
 
 /// An answer of an adapter, or a frame that came from the bus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Answer {
     /// An empty line: the command was obeyed.
     Done,

@@ -10,6 +10,7 @@ use crate::wire::Frame;
 /// A command to an adapter. Its answer is [`Answer::Done`](super::Answer::Done) or
 /// [`Answer::Refused`](super::Answer::Refused) where nothing else is said.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Command {
     /// An empty line, which a host sends to end whatever the adapter had half received.
     Nothing,
