@@ -1,6 +1,7 @@
 //! What a node tells its application.
 
 use crate::{
+    lss::BitRate,
     od::{Reset, TimeOfDay},
     wire::nmt::NmtState,
     NodeId,
@@ -29,6 +30,9 @@ pub enum Event {
     /// The NMT master has stopped asking for this node's state (`true`), or has begun again (`false`): life guarding, by
     /// 100Ch and 100Dh.
     LifeGuardingLost(bool),
+    /// The CAN controller is to have this bit rate from now on: LSS was told to activate it. The node is silent for the
+    /// switch delay that follows.
+    BitRate(BitRate),
     /// The time of day, from a TIME message (1012h).
     Time(TimeOfDay),
 }

@@ -7,7 +7,7 @@
 //! * [`wire`]: bytes ↔ meaning, one message family a file, no state.
 //! * [`od`]: the object dictionary: a table in flash, values in one struct, access with the abort codes of CiA 301.
 //! * one service a file or folder: [`sdo`], [`nmt`], [`heartbeat`], [`guarding`], [`emcy`], [`sync`], [`time`],
-//!   [`pdo`].
+//!   [`pdo`], [`lss`].
 //! * [`led`]: what the LEDs of a device show, as pure functions.
 //! * [`Node`]: ties the services together: [`Node::receive`], [`Node::poll`], [`Node::poll_at`].
 
@@ -17,6 +17,7 @@ pub mod emcy;
 pub mod guarding;
 pub mod heartbeat;
 pub mod led;
+pub mod lss;
 pub mod nmt;
 pub mod od;
 pub mod pdo;

@@ -14,6 +14,15 @@ impl NodeId {
         }
     }
 
+    /// 255: a node that has none, and waits for LSS to give it one. Never leaves this crate.
+    pub(crate) const NONE: Self = Self(255);
+
+    /// This; `None` for [`NodeId::NONE`].
+    #[inline]
+    pub(crate) const fn configured(self) -> Option<Self> {
+        Self::new(self.0)
+    }
+
     /// The number, 1 to 127.
     #[must_use]
     pub const fn get(self) -> u8 {

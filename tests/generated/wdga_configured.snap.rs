@@ -591,6 +591,10 @@ pub mod wdga_configured {
             [lexican_runtime::heartbeat::Watch::NOBODY; 1]
         }
         #[inline]
+        fn bit_rates(&self) -> lexican_runtime::lss::BitRates {
+            lexican_runtime::lss::BitRates(0x01DF)
+        }
+        #[inline]
         fn event(&mut self, event: Event) {
             self.handlers.event(&mut self.od, event);
         }

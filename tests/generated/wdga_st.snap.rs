@@ -590,6 +590,10 @@ pub mod wdga_st {
             [lexican_runtime::heartbeat::Watch::NOBODY; 1]
         }
         #[inline]
+        fn bit_rates(&self) -> lexican_runtime::lss::BitRates {
+            lexican_runtime::lss::BitRates(0x01DF)
+        }
+        #[inline]
         fn event(&mut self, event: Event) {
             self.handlers.event(&mut self.od, event);
         }

@@ -339,6 +339,10 @@ pub mod wv58mr_configured {
             [lexican_runtime::heartbeat::Watch::NOBODY; 0]
         }
         #[inline]
+        fn bit_rates(&self) -> lexican_runtime::lss::BitRates {
+            lexican_runtime::lss::BitRates(0x00DF)
+        }
+        #[inline]
         fn event(&mut self, event: Event) {
             self.handlers.event(&mut self.od, event);
         }

@@ -32,8 +32,14 @@ impl<D: Device> Bus<D> {
     #[must_use]
     pub fn new(device: D, node_id: u8) -> Self {
         let node_id = NodeId::new(node_id).expect("a node-ID, 1 to 127");
+        Self::of(Node::new(device, node_id))
+    }
+
+    /// A bus with `node` on it, which has said nothing yet.
+    #[must_use]
+    pub fn of(node: Node<D>) -> Self {
         Self {
-            node: Node::new(device, node_id),
+            node,
             now: Instant::from_millis(1),
             sent: VecDeque::new(),
             log: Vec::new(),

@@ -124,7 +124,7 @@ fn bytes(value: Expedited) -> Vec<u8> {
 
 /// Sends a request and takes the one response to it.
 fn ask<D: Device>(bus: &mut Bus<D>, request: Request) -> Result<Response, AbortCode> {
-    let node_id = bus.node().node_id();
+    let node_id = bus.node().node_id().expect("a node-ID");
     bus.put(Frame::full(CanId::sdo_request(node_id), request.emit()));
     let frame = bus.take().unwrap_or_else(|| panic!("no answer to {request:?}"));
     assert_eq!(frame.id(), CanId::sdo_response(node_id));

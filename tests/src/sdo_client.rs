@@ -140,8 +140,11 @@ impl Upload {
 }
 
 /// Reads one value over the bus.
+///
+/// # Panics
+/// When the node has no node-ID.
 pub fn upload<D: Device>(bus: &mut Bus<D>, address: Address) -> Answer {
-    let (mut upload, request) = Upload::begin(bus.node().node_id(), address);
+    let (mut upload, request) = Upload::begin(bus.node().node_id().expect("a node-ID"), address);
     bus.put(request);
     loop {
         let step = match next_frame(bus) {
@@ -168,9 +171,13 @@ fn next_frame<D: Device>(bus: &mut Bus<D>) -> Option<Frame> {
 /// Reads all of `addresses`, as `lexican dump` would.
 ///
 /// # Panics
-/// Never: the node's number is a node-ID.
+/// When the node has no node-ID.
 pub fn dump<D: Device>(bus: &mut Bus<D>, addresses: impl IntoIterator<Item = ir::Address>) -> Dump {
-    let node_id = ir::NodeId::new(bus.node().node_id().get()).expect("a node-ID is a node-ID");
+    let node_id = bus
+        .node()
+        .node_id()
+        .and_then(|node_id| ir::NodeId::new(node_id.get()))
+        .expect("a node-ID is a node-ID");
     let mut dump = Dump::new(node_id);
     dump.device = Some(identity(bus));
     for address in addresses {

@@ -4,7 +4,7 @@ use lexican_eds::ir;
 use lexican_runtime::heartbeat::Watch;
 use lexican_runtime::od::{Access, DataType, Device, Entry, Extra, Table, Value, bucket_of, place_of};
 use lexican_runtime::pdo::{Mapped, Parts, Room, Rpdo, Tpdo};
-use lexican_runtime::{AbortCode, Address, Event};
+use lexican_runtime::{AbortCode, Address, Event, lss::BitRates};
 
 /// A value that a simulated device is to have.
 #[derive(Clone, Debug)]
@@ -117,7 +117,7 @@ impl Room for SimulatedPdos {
 }
 
 /// A device without an application.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Simulated {
     places: Vec<Entry>,
     seeds: Vec<u16>,
@@ -127,6 +127,7 @@ pub struct Simulated {
     defaults: Vec<u8>,
     longest: usize,
     dummy_usage: u8,
+    bit_rates: BitRates,
     told: Vec<Event>,
 }
 
@@ -134,7 +135,18 @@ impl Simulated {
     /// The device with these objects.
     #[must_use]
     pub fn new(objects: &[Object]) -> Self {
-        let mut device = Self::default();
+        let mut device = Self {
+            places: Vec::new(),
+            seeds: Vec::new(),
+            extras: Vec::new(),
+            constants: Vec::new(),
+            values: Vec::new(),
+            defaults: Vec::new(),
+            longest: 0,
+            dummy_usage: 0,
+            bit_rates: BitRates::ALL,
+            told: Vec::new(),
+        };
         let entries: Vec<Entry> = objects.iter().map(|object| device.lay_out(object)).collect();
         device.place(&entries);
         device.values.clone_from(&device.defaults);
@@ -163,6 +175,13 @@ impl Simulated {
     #[must_use]
     pub fn with_dummies(mut self, dummy_usage: u8) -> Self {
         self.dummy_usage = dummy_usage;
+        self
+    }
+
+    /// The device with these bit rates: bit 0 for row 0 of CiA 305's table.
+    #[must_use]
+    pub fn with_bit_rates(mut self, bit_rates: u16) -> Self {
+        self.bit_rates = BitRates(bit_rates);
         self
     }
 
@@ -309,6 +328,10 @@ impl Device for Simulated {
 
     fn dummy_usage(&self) -> u8 {
         self.dummy_usage
+    }
+
+    fn bit_rates(&self) -> BitRates {
+        self.bit_rates
     }
 
     fn event(&mut self, event: Event) {

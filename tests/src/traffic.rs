@@ -215,7 +215,8 @@ impl<D: Device> Player<D> {
         self.take(&Step::Frame(data(0x000, &[0x81, 0x00])));
         self.wait(1_000_000);
         let before = self.sent.len();
-        let node_id = self.node.node_id();
+        // LSS may have taken its node-ID.
+        let Some(node_id) = self.node.node_id() else { return };
         let request = CanId::sdo_request(node_id);
         self.take(&Step::Frame(Frame::full(request, [0x40, 0x00, 0x10, 0, 0, 0, 0, 0])));
         let answer = CanId::sdo_response(node_id);

@@ -52,6 +52,7 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
     let watches = number(&plan.watches().to_string());
     let dummy_usage = dummy_usage(pdos.dummy_usage);
     let services = services(plan);
+    let bit_rates = bit_rates(plan);
     let read = reads.first(&quote!());
     let write = writes.first(&quote!(value: Value<'_>));
     parse_quote! {
@@ -87,6 +88,8 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
 
             #dummy_usage
 
+            #bit_rates
+
             #[inline]
             fn event(&mut self, event: Event) { self.handlers.event(&mut self.od, event); }
 
@@ -114,6 +117,15 @@ fn dummy_usage(bits: u8) -> Option<ImplItem> {
     Some(parse_quote! {
         #[inline]
         fn dummy_usage(&self) -> u8 { #bits }
+    })
+}
+
+/// The bit rates that LSS may set.
+fn bit_rates(plan: &Plan<'_>) -> Option<ImplItem> {
+    let bits = number(&format!("0x{:04X}", plan.bit_rates()?));
+    Some(parse_quote! {
+        #[inline]
+        fn bit_rates(&self) -> lexican_runtime::lss::BitRates { lexican_runtime::lss::BitRates(#bits) }
     })
 }
 

@@ -119,6 +119,15 @@ impl<'a> Plan<'a> {
         watches.count()
     }
 
+    /// The bit rates of DeviceInfo that CiA 305's table has, a bit for each of its rows; `None` of a device without LSS.
+    pub(crate) fn bit_rates(&self) -> Option<u16> {
+        const TABLE: [u16; 9] = [1000, 800, 500, 250, 125, 0, 50, 20, 10];
+        let has = |rate: &u16| self.dictionary.device.baud_rates.0.contains(rate);
+        let rows = (0..).zip(TABLE).filter(|(_, rate)| has(rate));
+        self.supports_lss()
+            .then(|| rows.fold(0, |bits, (row, _)| bits | 1 << row))
+    }
+
     /// Whether the device has the layer setting services.
     pub(crate) fn supports_lss(&self) -> bool {
         self.dictionary.device.lss_supported

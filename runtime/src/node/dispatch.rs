@@ -1,6 +1,7 @@
 //! CAN-ID → service.
 
 use crate::{
+    od::{Device, ServiceSet},
     wire::{CanId, Frame},
     NodeId,
 };
@@ -12,16 +13,21 @@ pub(super) enum Service {
     Nmt,
     /// The SDO server: always eight bytes.
     Sdo([u8; 8]),
+    /// The LSS slave: always eight bytes.
+    Lss([u8; 8]),
     /// One whose identifier is configured, or nobody here.
     Other,
 }
 
 /// The service that `frame` is for.
 #[inline]
-pub(super) fn service(frame: &Frame, node_id: NodeId) -> Service {
+pub(super) fn service<D: Device>(frame: &Frame, node_id: NodeId) -> Service {
     match frame.data_id() {
         Some(id) if id == CanId::sdo_request(node_id) => frame.full_data().map_or(Service::Other, Service::Sdo),
         Some(CanId::NMT) => Service::Nmt,
+        Some(CanId::LSS_REQUEST) if D::SERVICES.has(ServiceSet::LSS) => {
+            frame.full_data().map_or(Service::Other, Service::Lss)
+        }
         _ => Service::Other,
     }
 }

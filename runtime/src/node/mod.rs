@@ -4,6 +4,7 @@ mod dispatch;
 mod effects;
 mod error_control;
 mod exchange;
+mod lss;
 mod pending;
 
 use dispatch::Service;
@@ -13,8 +14,9 @@ use pending::Pending;
 use crate::{
     emcy, guarding,
     heartbeat::{self, PRODUCER_HEARTBEAT_TIME},
+    lss::Slave,
     nmt,
-    od::{self, Device, Reset, Value},
+    od::{self, Device, Reset, ServiceSet, Value},
     pdo, sdo, sync,
     wire::{
         self,
@@ -35,6 +37,7 @@ pub struct Node<D: Device> {
     device: D,
     id: NodeId,
     nmt: nmt::Slave,
+    lss: Slave,
     emcy: emcy::Producer,
     heartbeat: heartbeat::Producer,
     consumers: heartbeat::Consumers<D::Watches>,
@@ -50,6 +53,8 @@ pub struct Node<D: Device> {
     sdo: sdo::Server<D::Buffer>,
     /// The SDO server's response, while [`Pending::SDO`].
     response: [u8; 8],
+    /// The LSS slave's response, while [`Pending::LSS`].
+    lss_response: [u8; 8],
     pending: Pending,
     /// When the first timer of any service runs out.
     due: Instant,
@@ -61,7 +66,11 @@ impl<D: Device> Node<D> {
     /// A node after power-on; its first [`Node::poll`] gives the boot-up message. The dictionary's formulas of `$NODEID`
     /// get their values now.
     #[must_use]
-    pub fn new(mut device: D, node_id: NodeId) -> Self {
+    pub fn new(device: D, node_id: NodeId) -> Self {
+        Self::start(device, node_id)
+    }
+
+    fn start(mut device: D, node_id: NodeId) -> Self {
         od::resolve_node_id(&mut device, node_id);
         let buffer = device.buffer();
         let mut pdos = pdo::Set::new(&device, device.pdos());
@@ -71,6 +80,7 @@ impl<D: Device> Node<D> {
             device,
             id: node_id,
             nmt: nmt::Slave::new(),
+            lss: Slave::new(node_id, None),
             emcy: emcy::Producer::new(),
             heartbeat: heartbeat::Producer::new(),
             consumers,
@@ -83,7 +93,8 @@ impl<D: Device> Node<D> {
             is_sync_wrong: false,
             sdo: sdo::Server::new(buffer),
             response: [0; 8],
-            pending: Pending::BOOT_UP,
+            lss_response: [0; 8],
+            pending: Pending::of_start(node_id),
             due: Instant::NEVER,
             timers: Instant::NEVER,
         }
@@ -92,9 +103,10 @@ impl<D: Device> Node<D> {
     /// Takes a frame from the bus. What is not for this node is ignored.
     #[inline]
     pub fn receive(&mut self, now: Instant, frame: &Frame) {
-        match dispatch::service(frame, self.id) {
+        match dispatch::service::<D>(frame, self.id) {
             Service::Sdo(request) => self.receive_sdo(now, request),
             Service::Nmt => self.receive_nmt(frame),
+            Service::Lss(request) => self.receive_lss(now, request),
             Service::Other => self.receive_other(now, frame),
         }
     }
@@ -118,6 +130,9 @@ impl<D: Device> Node<D> {
     /// something to send already, `None` when nothing will ever be due.
     #[must_use]
     pub fn poll_at(&self) -> Option<Instant> {
+        if self.is_silent() {
+            return self.poll_silent_at();
+        }
         if self.pending != Pending::NOTHING {
             return Some(Instant::default());
         }
@@ -131,16 +146,17 @@ impl<D: Device> Node<D> {
         self.nmt.state()
     }
 
-    /// The node-ID.
+    /// The node-ID; `None` while the node waits for LSS to give it one.
     #[inline]
     #[must_use]
-    pub fn node_id(&self) -> NodeId {
-        self.id
+    pub fn node_id(&self) -> Option<NodeId> {
+        self.id.configured()
     }
 
     /// Gives the node another node-ID: it resets its communication and boots up under the new one.
     pub fn set_node_id(&mut self, node_id: NodeId) {
         self.id = node_id;
+        self.lss.set_node_id(node_id);
         od::resolve_node_id(&mut self.device, node_id);
         self.obey(NmtCommand::ResetCommunication);
     }
@@ -261,6 +277,9 @@ impl<D: Device> Node<D> {
     }
 
     fn reset(&mut self, reset: Reset) {
+        if D::SERVICES.has(ServiceSet::LSS) {
+            self.reset_lss(reset);
+        }
         od::restore(&mut self.device, reset, self.id);
         self.device.event(Event::Reset(reset));
         self.end_transfer();
@@ -273,7 +292,7 @@ impl<D: Device> Node<D> {
         self.faults = pdo::Faults::default();
         self.is_sync_wrong = false;
         self.due = Instant::NEVER;
-        self.pending = Pending::BOOT_UP;
+        self.pending = self.pending_after_reset();
     }
 
     fn end_transfer(&mut self) {
@@ -294,6 +313,14 @@ impl<D: Device> Node<D> {
     /// would let them through.
     #[inline(never)]
     fn work(&mut self, now: Instant) -> Option<Frame> {
+        if self.is_silent() {
+            if let Some(frame) = self.send_lss_response() {
+                return Some(frame);
+            }
+            if self.keeps_silence(now) {
+                return None;
+            }
+        }
         if self.pending.take(Pending::BOOT_UP) {
             return Some(self.boot_up(now));
         }
@@ -336,7 +363,7 @@ impl<D: Device> Node<D> {
         if self.pending.take(Pending::HEARTBEAT) {
             return Some(wire::heartbeat::emit(self.id, self.nmt.state()));
         }
-        None
+        self.send_lss_response()
     }
 
     /// Leaves INITIALISING with the boot-up message.

@@ -1,5 +1,7 @@
 //! What there is to send.
 
+use crate::NodeId;
+
 /// Services with a frame to send, a set of bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Pending(u16);
@@ -19,7 +21,7 @@ impl Pending {
     /// The SDO server's response.
     pub(super) const SDO: Self = Self(0x0020);
     /// A segment of the SDO server's block.
-    pub(super) const BLOCK: Self = Self(0x0200);
+    pub(super) const BLOCK: Self = Self(0x0800);
     /// Anything of the SDO server's.
     pub(super) const SDO_ALL: Self = Self(Self::SDO.0 | Self::BLOCK.0);
     /// A heartbeat.
@@ -28,6 +30,23 @@ impl Pending {
     pub(super) const GUARDING: Self = Self(0x0080);
     /// The command that starts all nodes.
     pub(super) const START_ALL: Self = Self(0x0100);
+    /// The LSS slave's response.
+    pub(super) const LSS: Self = Self(0x0200);
+    /// No frame, and no other than the LSS slave's: a node-ID is awaited, or a bit rate is being switched.
+    pub(super) const SILENCE: Self = Self(0x0400);
+
+    /// What a node that starts with this node-ID has to send.
+    pub(super) const fn of_start(node_id: NodeId) -> Self {
+        match node_id.configured() {
+            Some(_) => Self::BOOT_UP,
+            None => Self::SILENCE,
+        }
+    }
+
+    /// This and `other`.
+    pub(super) const fn with(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
 
     pub(super) fn add(&mut self, other: Self) {
         self.0 |= other.0;

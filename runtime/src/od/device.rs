@@ -1,7 +1,7 @@
 //! What the services need of a device.
 
 use super::{NumberSet, Part, ServiceSet, Table, Value};
-use crate::{heartbeat::Watch, pdo::Room, AbortCode, Address, Event};
+use crate::{heartbeat::Watch, lss::BitRates, pdo::Room, AbortCode, Address, Event};
 
 /// A device: the dictionary that was generated for it, and the application behind it.
 ///
@@ -50,6 +50,11 @@ pub trait Device {
     /// 0001h, up to bit 7 for 0007h. None unless overridden.
     fn dummy_usage(&self) -> u8 {
         0
+    }
+
+    /// The bit rates that LSS may set (`BaudRate_...` of an EDS). All of CiA 305's table unless overridden.
+    fn bit_rates(&self) -> BitRates {
+        BitRates::ALL
     }
 
     /// Asks the application to bring the value at `address` up to date in [`Device::values_mut`] before it is read.

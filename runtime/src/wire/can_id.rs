@@ -16,6 +16,11 @@ impl CanId {
     /// 000h: NMT commands.
     pub const NMT: Self = Self(0x000);
 
+    /// 7E4h: what LSS slaves answer (CiA 305, 6.1).
+    pub const LSS_RESPONSE: Self = Self(0x7E4);
+    /// 7E5h: what the LSS master asks for.
+    pub const LSS_REQUEST: Self = Self(0x7E5);
+
     /// The identifier `number` of 11 bits; `None` above `0x7FF`.
     #[must_use]
     pub const fn standard(number: u32) -> Option<Self> {

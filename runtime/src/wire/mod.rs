@@ -10,6 +10,7 @@
 
 pub mod emcy;
 pub mod heartbeat;
+pub mod lss;
 pub mod nmt;
 pub mod sdo;
 pub mod slcan;
