@@ -4,7 +4,7 @@
 //! produced in PRE-OPERATIONAL and OPERATIONAL, the first one a period after the producer starts; the counter then is 1.
 
 use crate::{
-    od::{self, Device, Value},
+    od::{self, Device},
     wire::{self, CanId, CobId, Frame},
     AbortCode, Address, Instant,
 };
@@ -66,10 +66,10 @@ impl Consumer {
 /// * [`AbortCode::INVALID_VALUE`] for a 1005h that changes bits 0 to 29 while bit 30 is and stays set, or has an identifier
 ///   that [`CobId::check`] refuses; for a 1019h of 1 or above 240
 /// * [`AbortCode::DEVICE_STATE`] for any 1019h while 1006h is not 0
-pub fn before_write<D: Device>(device: &D, address: Address, value: Value<'_>) -> Result<(), AbortCode> {
+pub fn before_write<D: Device>(device: &D, address: Address, value: u32) -> Result<(), AbortCode> {
     match address {
-        COB_ID_SYNC => check_cob_id(cob_id(device).unwrap_or_default(), CobId(value.to_u32())),
-        COUNTER_OVERFLOW => check_overflow(od::parameter(device, CYCLE_PERIOD), value.to_u8()),
+        COB_ID_SYNC => check_cob_id(cob_id(device).unwrap_or_default(), CobId(value)),
+        COUNTER_OVERFLOW => check_overflow(od::parameter(device, CYCLE_PERIOD), value),
         _ => Ok(()),
     }
 }
@@ -81,9 +81,9 @@ fn check_cob_id(old: CobId, new: CobId) -> Result<(), AbortCode> {
     new.check()
 }
 
-fn check_overflow(period: u32, overflow: u8) -> Result<(), AbortCode> {
+fn check_overflow(period: u32, overflow: u32) -> Result<(), AbortCode> {
     match overflow {
-        1 | 241..=255 => Err(AbortCode::INVALID_VALUE),
+        1 | 241.. => Err(AbortCode::INVALID_VALUE),
         _ if period != 0 => Err(AbortCode::DEVICE_STATE),
         _ => Ok(()),
     }

@@ -16,9 +16,9 @@ const fn at(sub: u8) -> Address {
 /// Puts an error on top; the oldest falls out when there is no room.
 pub(super) fn push<D: Device>(device: &mut D, emergency: Emergency) {
     let room = room(device);
-    for sub in (2..=room).rev() {
-        let newer = od::parameter(device, at(sub - 1));
-        set(device, sub, newer);
+    for newer in (1..room).rev() {
+        let value = od::parameter(device, at(newer));
+        set(device, newer + 1, value);
     }
     let [information, more, ..] = emergency.manufacturer;
     let [low, high] = emergency.code.to_le_bytes();
@@ -31,16 +31,14 @@ pub(super) fn push<D: Device>(device: &mut D, emergency: Emergency) {
 
 /// Leaves no error behind.
 pub(super) fn clear<D: Device>(device: &mut D) {
-    for sub in 1..=room(device) {
-        set(device, sub, 0);
+    for nth in 0..room(device) {
+        set(device, nth + 1, 0);
     }
 }
 
-/// How many errors it holds: as many sub-indices as follow one another.
+/// How many errors it holds.
 fn room<D: Device>(device: &D) -> u8 {
-    let table = device.table();
-    let missing = (1..=254).find(|&sub| table.find(at(sub)).is_none());
-    missing.map_or(254, |sub| sub - 1)
+    device.table().elements(COUNT.index)
 }
 
 fn set<D: Device>(device: &mut D, sub: u8, value: u32) {

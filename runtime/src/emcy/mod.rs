@@ -20,7 +20,7 @@ mod queue;
 use queue::Queue;
 
 use crate::{
-    od::{self, Device, Value},
+    od::{self, Device},
     wire::{emcy::Emergency, CobId, Frame},
     AbortCode, Address, Instant,
 };
@@ -175,10 +175,10 @@ impl Default for Producer {
 /// * for 1003h:00 other than 0,
 /// * for a 1014h that is valid before and after, and changes bits 0 to 29; has bit 30 set; or an identifier that
 ///   [`CobId::check`] refuses.
-pub fn before_write<D: Device>(device: &D, address: Address, value: Value<'_>) -> Result<(), AbortCode> {
+pub fn before_write<D: Device>(device: &D, address: Address, value: u32) -> Result<(), AbortCode> {
     match address {
-        history::COUNT if value.to_u8() != 0 => Err(AbortCode::INVALID_VALUE),
-        COB_ID_EMCY => check_cob_id(cob_id(device).unwrap_or_default(), CobId(value.to_u32())),
+        history::COUNT if value != 0 => Err(AbortCode::INVALID_VALUE),
+        COB_ID_EMCY => check_cob_id(cob_id(device).unwrap_or_default(), CobId(value)),
         _ => Ok(()),
     }
 }

@@ -17,15 +17,20 @@ pub(super) struct Effects<'a, R> {
 impl<R: pdo::Room> Services for Effects<'_, R> {
     #[inline(never)]
     fn before_write<D: Device>(&mut self, device: &D, address: Address, value: Value<'_>) -> Result<(), AbortCode> {
-        emcy::before_write(device, address, value)?;
-        sync::before_write(device, address, value)?;
+        let number = value.to_u32();
+        if D::SERVICES.has(ServiceSet::EMCY) {
+            emcy::before_write(device, address, number)?;
+        }
+        if D::SERVICES.has(ServiceSet::SYNC) {
+            sync::before_write(device, address, number)?;
+        }
         if D::SERVICES.has(ServiceSet::HEARTBEAT_CONSUMER) {
             heartbeat::before_write(device, address, value)?;
         }
         if D::SERVICES.has(ServiceSet::TIME) {
             time::before_write(device, address, value)?;
         }
-        pdo::before_write(device, address, value)
+        pdo::before_write(device, address, number)
     }
 
     #[inline(never)]

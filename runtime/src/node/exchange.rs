@@ -119,7 +119,9 @@ impl<D: Device> Node<D> {
     /// Looks at the objects of SYNC and PDOs, and at the NMT state.
     pub(super) fn configure_exchange(&mut self, now: Instant) {
         self.sync_consumer = sync::Consumer::new(&self.device);
-        self.sync.configure(now, &self.device, self.nmt.produces_sync());
+        if D::SERVICES.has(ServiceSet::SYNC_PRODUCER) {
+            self.sync.configure(now, &self.device, self.nmt.produces_sync());
+        }
         self.pdos.configure(now, &mut self.device, self.nmt.exchanges_pdos());
         self.report_faults();
     }
@@ -133,7 +135,7 @@ impl<D: Device> Node<D> {
 
     /// Looks at the timers.
     pub(super) fn expire_exchange(&mut self, now: Instant) {
-        if now >= self.sync.due() {
+        if D::SERVICES.has(ServiceSet::SYNC_PRODUCER) && now >= self.sync.due() {
             self.pending.add(Pending::SYNC);
         }
         let is_requested = self.pdos.expire(now);
@@ -149,6 +151,9 @@ impl<D: Device> Node<D> {
 
     /// Raises and clears the emergencies of RPDOs.
     fn report_faults(&mut self) {
+        if !D::SERVICES.has(ServiceSet::RPDO) {
+            return;
+        }
         let faults = self.pdos.faults();
         if faults == self.faults {
             return;

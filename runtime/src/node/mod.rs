@@ -301,6 +301,7 @@ impl<D: Device> Node<D> {
     }
 
     /// Lets the emergency messages out when the NMT state allows them (CiA 301, 7.3.2.2), else keeps them.
+    #[inline(never)]
     fn tell_emergencies(&mut self) {
         if self.emcy.has_message() && self.nmt.sends_emcy() {
             self.pending.add(Pending::EMCY);
@@ -324,7 +325,7 @@ impl<D: Device> Node<D> {
         if self.pending.take(Pending::BOOT_UP) {
             return Some(self.boot_up(now));
         }
-        if self.pending.take(Pending::START_ALL) {
+        if D::SERVICES.has(ServiceSet::START_UP) && self.pending.take(Pending::START_ALL) {
             return wire::nmt::Request::START_ALL.emit();
         }
         // What runs out may be told to the application, which may then write what configures a service.
@@ -336,7 +337,7 @@ impl<D: Device> Node<D> {
                 self.expire(now);
             }
         }
-        if self.pending.take(Pending::SYNC) {
+        if D::SERVICES.has(ServiceSet::SYNC_PRODUCER) && self.pending.take(Pending::SYNC) {
             if let Some(frame) = self.send_sync(now) {
                 return Some(frame);
             }
@@ -357,7 +358,7 @@ impl<D: Device> Node<D> {
         if self.pending.has(Pending::BLOCK) {
             return self.send_segment(now);
         }
-        if self.pending.take(Pending::GUARDING) {
+        if D::SERVICES.has(ServiceSet::NODE_GUARDING) && self.pending.take(Pending::GUARDING) {
             return Some(self.send_guarding(now));
         }
         if self.pending.take(Pending::HEARTBEAT) {
@@ -447,9 +448,17 @@ impl<D: Device> Node<D> {
     /// Finds the first timer to run out.
     #[inline(never)]
     fn schedule(&mut self) {
-        let timers = self.heartbeat.due().min(self.emcy.due());
-        let timers = timers.min(self.sync.due()).min(self.pdos.due());
-        self.timers = timers.min(self.consumers.due()).min(self.guarding.due());
-        self.due = self.sdo.due().min(self.timers);
+        let mut due = self.heartbeat.due().min(self.emcy.due()).min(self.pdos.due());
+        if D::SERVICES.has(ServiceSet::SYNC_PRODUCER) {
+            due = due.min(self.sync.due());
+        }
+        if D::SERVICES.has(ServiceSet::HEARTBEAT_CONSUMER) {
+            due = due.min(self.consumers.due());
+        }
+        if D::SERVICES.has(ServiceSet::NODE_GUARDING) {
+            due = due.min(self.guarding.due());
+        }
+        self.timers = due;
+        self.due = self.sdo.due().min(due);
     }
 }

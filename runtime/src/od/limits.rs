@@ -18,10 +18,9 @@ pub(super) fn widen(data_type: DataType, bits: u64) -> u64 {
 /// `bits` as they stand in the dictionary of `D`: its lowest [`DataType::width`] bytes.
 pub(super) fn stored<D: Device>(data_type: DataType, bits: u64) -> u64 {
     if D::NUMBERS.has(NumberSet::WIDENED) {
-        widen(data_type, bits)
-    } else {
-        bits
+        return widen(data_type, bits);
     }
+    bits & (u64::MAX >> (64usize.wrapping_sub(8 * data_type.length()) & 63))
 }
 
 /// Refuses a number, as it stands in the dictionary, that its type or its object's limits do not allow.

@@ -12,7 +12,7 @@ pub struct ServiceSet(u16);
 impl ServiceSet {
     /// No optional service: NMT, SDO and, with 1017h, the heartbeat are always there.
     pub const NONE: Self = Self(0x0000);
-    /// SYNC, consumed or produced: 1005h.
+    /// SYNC: 1005h.
     pub const SYNC: Self = Self(0x0001);
     /// Node guarding and life guarding: 100Ch.
     pub const NODE_GUARDING: Self = Self(0x0002);
@@ -40,8 +40,10 @@ impl ServiceSet {
     pub const LSS: Self = Self(0x1000);
     /// Values that the application gives and takes in parts: entries with [`Access::PARTS`].
     pub const PARTS: Self = Self(0x2000);
+    /// SYNC, produced: 1006h.
+    pub const SYNC_PRODUCER: Self = Self(0x4000);
     /// All of them, for a device whose dictionary is known at run time only.
-    pub const ALL: Self = Self(0x3FFF);
+    pub const ALL: Self = Self(0x7FFF);
 
     /// The services that a table of these rows has objects for.
     #[must_use]
@@ -62,6 +64,7 @@ impl ServiceSet {
     const fn of_object(index: u16) -> Self {
         match index {
             0x1005 => Self::SYNC,
+            0x1006 => Self::SYNC_PRODUCER,
             0x100C => Self::NODE_GUARDING,
             0x1010 | 0x1011 => Self::STORAGE,
             0x1012 => Self::TIME,

@@ -101,6 +101,16 @@ impl Table<'_> {
         (entry.address() == address && entry.data_type.0 != 0).then_some(place)
     }
 
+    /// How many sub-indices the object at `index` has that follow one another, from 1 on.
+    #[inline(never)] // Seldom asked.
+    pub(crate) fn elements(&self, index: u16) -> u8 {
+        let mut count = 0;
+        while count < 254 && self.find(Address::new(index, count + 1)).is_some() {
+            count += 1;
+        }
+        count
+    }
+
     /// Where the value of `entry` stands, and the [`Extra::detail`] of it (0 where it has none); `None` for an entry that
     /// is not of this table.
     pub(crate) fn locate(&self, entry: Entry) -> Option<(usize, usize)> {

@@ -170,7 +170,7 @@ impl Mapping {
         (self.count, self.bits) = (0, 0);
         let count = parameter_u8(device, index, 0);
         let pool = pool.get_mut(usize::from(self.first)..).unwrap_or_default();
-        if let Ok(bits) = resolve(device, direction, index, count, pool) {
+        if let Ok(bits) = resolve(device, direction, index, count.into(), pool) {
             (self.count, self.bits) = (count, bits);
         }
     }
@@ -208,12 +208,9 @@ impl Mapping {
     }
 }
 
-/// How many objects the parameter at `index` has place for: as many as it has sub-indices that follow one another.
-#[inline(never)]
+/// How many objects the parameter at `index` has place for.
 fn capacity<D: Device>(device: &D, index: u16) -> u8 {
-    let table = device.table();
-    let missing = (1..=64).find(|&sub| table.find(Address::new(index, sub)).is_none());
-    missing.map_or(64, |sub| sub - 1)
+    device.table().elements(index).min(PDO_BITS)
 }
 
 /// Resolves the first `count` entries of the parameter at `index`, into as many places as `pool` has; gives how many bits
@@ -227,16 +224,17 @@ pub(super) fn resolve<D: Device>(
     device: &D,
     direction: Direction,
     index: u16,
-    count: u8,
+    count: u32,
     pool: &mut [Mapped],
 ) -> Result<u8, AbortCode> {
+    let count = u8::try_from(count).unwrap_or(u8::MAX);
     if count > capacity(device, index) {
         return Err(AbortCode::PDO_TOO_LONG);
     }
     let mut places = pool.iter_mut();
     let mut bits = 0;
-    for sub in 1..=count {
-        let entry = od::parameter(device, Address::new(index, sub));
+    for nth in 0..count {
+        let entry = od::parameter(device, Address::new(index, nth + 1));
         let mapped = Mapped::resolve(device, direction, entry)?;
         bits += mapped.bits;
         if bits > PDO_BITS {

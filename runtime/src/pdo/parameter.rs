@@ -1,8 +1,8 @@
 //! What a client may write to the parameters of PDOs.
 
-use super::{cob_id, mapping, parameter, parameter_u8, sub, Direction, Mapped};
+use super::{cob_id, mapping, parameter, sub, Direction, Mapped};
 use crate::{
-    od::{Device, Value},
+    od::{self, Device},
     wire::CobId,
     AbortCode, Address,
 };
@@ -20,7 +20,7 @@ use crate::{
 /// * [`AbortCode::NO_SUCH_OBJECT`]
 /// * [`AbortCode::NOT_MAPPABLE`] in this direction, or with this length
 /// * [`AbortCode::PDO_TOO_LONG`] for a sub-index 0 with which the PDO has more than 64 bits, or more entries than there are
-pub fn before_write<D: Device>(device: &D, address: Address, value: Value<'_>) -> Result<(), AbortCode> {
+pub fn before_write<D: Device>(device: &D, address: Address, value: u32) -> Result<(), AbortCode> {
     use Direction::{Receive, Transmit};
     match address.index {
         0x1400..=0x15FF => before_communication(device, Receive, address, value),
@@ -40,19 +40,18 @@ fn before_communication<D: Device>(
     device: &D,
     direction: Direction,
     Address { index, sub }: Address,
-    value: Value<'_>,
+    value: u32,
 ) -> Result<(), AbortCode> {
     let old = cob_id(device, direction, number(index));
     // What sends in one direction only has no meaning in the other.
     let is_fixed = direction == Direction::Transmit && old.is_valid();
     match sub {
-        sub::COB_ID => check_cob_id(old, CobId(value.to_u32())),
-        sub::TRANSMISSION_TYPE => check_transmission_type(direction, value.to_u8()),
-        sub::INHIBIT_TIME if is_fixed && value.to_u16() != parameter(device, index, sub) => {
-            Err(AbortCode::INVALID_VALUE)
-        }
-        sub::SYNC_START_VALUE if value.to_u8() > 240 => Err(AbortCode::INVALID_VALUE),
-        sub::SYNC_START_VALUE if is_fixed && value.to_u8() != parameter_u8(device, index, sub) => {
+        sub::COB_ID => check_cob_id(old, CobId(value)),
+        sub::TRANSMISSION_TYPE => check_transmission_type(direction, value),
+        sub::SYNC_START_VALUE if value > 240 => Err(AbortCode::INVALID_VALUE),
+        sub::INHIBIT_TIME | sub::SYNC_START_VALUE
+            if is_fixed && value != od::parameter(device, Address::new(index, sub)) =>
+        {
             Err(AbortCode::INVALID_VALUE)
         }
         _ => Ok(()),
@@ -69,7 +68,7 @@ fn check_cob_id(old: CobId, new: CobId) -> Result<(), AbortCode> {
     new.check()
 }
 
-fn check_transmission_type(direction: Direction, value: u8) -> Result<(), AbortCode> {
+fn check_transmission_type(direction: Direction, value: u32) -> Result<(), AbortCode> {
     match (direction, value) {
         (_, 0..=240 | 254..=255) | (Direction::Transmit, 252..=253) => Ok(()),
         _ => Err(AbortCode::INVALID_VALUE),
@@ -80,14 +79,14 @@ fn before_mapping<D: Device>(
     device: &D,
     direction: Direction,
     Address { index, sub }: Address,
-    value: Value<'_>,
+    value: u32,
 ) -> Result<(), AbortCode> {
-    let is_mapped = sub != 0 && parameter_u8(device, index, 0) != 0;
+    let is_mapped = sub != 0 && parameter(device, index, 0) != 0;
     if is_mapped || cob_id(device, direction, number(index)).is_valid() {
         return Err(AbortCode::UNSUPPORTED_ACCESS);
     }
-    match (sub, value.to_u32()) {
-        (0, _) => mapping::resolve(device, direction, index, value.to_u8(), &mut []).map(|_| ()),
+    match (sub, value) {
+        (0, count) => mapping::resolve(device, direction, index, count, &mut []).map(|_| ()),
         // No object: an entry that is not used.
         (_, 0) => Ok(()),
         (_, entry) => Mapped::resolve(device, direction, entry).map(|_| ()),

@@ -248,7 +248,7 @@ impl<R: Room> Set<R> {
 
 /// The numbers of the PDOs that have communication parameters.
 fn present<D: Device>(device: &D, direction: Direction) -> impl Iterator<Item = u16> + '_ {
-    (1..=512).filter(move |&number| {
+    (1..513).filter(move |&number| {
         let address = Address::new(direction.communication(number), sub::COB_ID);
         device.table().find(address).is_some()
     })
