@@ -1,20 +1,48 @@
 //! Encoders (CiA 406): heard when 1000h names profile 406, or when the caller does.
 
+mod contradictory_revolutions;
+mod divided_cycle;
 mod encoder;
+mod impossible_resolution;
+mod incomplete_cam;
 mod incomplete_class;
+mod incomplete_work_area;
+mod inverted_switch_points;
 mod missing_encoder_object;
+mod preset_beyond_range;
+mod reserved_bit;
 mod standard;
+mod unequal_channels;
+mod unknown_encoder_object;
 mod unknown_encoder_type;
+mod unknown_profile_version;
+mod unmapped_position;
+mod unsupported_alarm;
 mod wrong_encoder_access;
 mod wrong_encoder_code;
 mod wrong_encoder_mapping;
 mod wrong_encoder_type;
+mod zero_resolution;
 
+pub(super) use contradictory_revolutions::ContradictoryRevolutions;
+pub(super) use divided_cycle::DividedCycle;
 pub(crate) use encoder::Encoder;
+pub(super) use impossible_resolution::ImpossibleResolution;
+pub(super) use incomplete_cam::IncompleteCam;
 pub(super) use incomplete_class::IncompleteClass;
+pub(super) use incomplete_work_area::IncompleteWorkArea;
+pub(super) use inverted_switch_points::InvertedSwitchPoints;
 pub(super) use missing_encoder_object::MissingEncoderObject;
+pub(super) use preset_beyond_range::PresetBeyondRange;
+pub(super) use reserved_bit::ReservedBit;
+pub(super) use unequal_channels::UnequalChannels;
+pub(super) use unknown_encoder_object::UnknownEncoderObject;
 pub(super) use unknown_encoder_type::UnknownEncoderType;
+pub(super) use unknown_profile_version::UnknownProfileVersion;
+pub(super) use unmapped_position::UnmappedPosition;
+pub(super) use unsupported_alarm::UnsupportedAlarm;
 pub(super) use wrong_encoder_access::WrongEncoderAccess;
 pub(super) use wrong_encoder_code::WrongEncoderCode;
 pub(super) use wrong_encoder_mapping::WrongEncoderMapping;
 pub(super) use wrong_encoder_type::WrongEncoderType;
+pub(super) use zero_resolution::ZeroResolution;

@@ -212,8 +212,8 @@ static STANDARD: &[Standard] = &{
         array(0x6010, "Preset values for multi-sensor devices", I32_OR_U32)
             .rw()
             .of(C2, Multiple),
+        // ro in the overview, rw in the text.
         array(0x6020, "Position values for multi-sensor devices", I32)
-            .ro()
             .mappable(Possible)
             .of(C1, Multiple),
         array(0x6030, "Speed value", I16)

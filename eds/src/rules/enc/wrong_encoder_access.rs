@@ -11,8 +11,8 @@ declare_rule! {
     /// ## Why it matters
     /// A master that sets scaling or preset gets abort 0601 0002h; one that restores all writable parameters overwrites a position.
     ///
-    /// CiA 406 V2.0 calls the values of 6005h ro and those of 6020h rw in one place, rw and ro in another; a step is a setting and
-    /// a position is measured.
+    /// 6020h is left alone: V2.0 has it ro in the overview and rw in the text. 6005h is ro in the overview, which cannot be meant, as
+    /// its values are settings.
     ///
     /// ## Example
     /// ```ini

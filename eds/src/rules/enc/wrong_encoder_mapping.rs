@@ -1,6 +1,7 @@
 use super::{Encoder, standard::Mapping};
 use crate::{
     diagnostic::Level,
+    ir::{Direction, Object},
     rules::{EncoderRule, Report, declare_rule},
 };
 
@@ -10,8 +11,8 @@ declare_rule! {
     ///
     /// ## Why it matters
     /// Positions, speeds, cam states and area states are what an encoder has PDOs for: a master that maps one of them gets abort
-    /// 0604 0041h. A setting in a PDO is changed without an answer. Devices with a fixed mapping often break this without harm,
-    /// so it is a note.
+    /// 0604 0041h. A setting in a PDO is changed without an answer. Where no client can change what TPDOs carry, the values that
+    /// they do not carry are left alone.
     ///
     /// 6301h, 6302h, 6503h and 6505h are left alone: V2.0 and encoders of V3.2 contradict each other.
     ///
@@ -36,13 +37,29 @@ declare_rule! {
 
 impl EncoderRule for WrongEncoderMapping {
     fn check(encoder: &Encoder<'_>, report: &mut Report) {
+        let fixed = !has_variable_mapping(encoder);
+        let mut last = None;
         for value in encoder.values(|spans| spans.pdo_mapping) {
             let (fact, cure) = match (value.standard.mapping, value.entry.pdo_mapping) {
-                (Mapping::Possible, false) => ("cannot be mapped; CiA 406 has it in PDOs", "write `PDOMapping=1`"),
+                (Mapping::Possible, false) if !fixed => {
+                    ("cannot be mapped; CiA 406 has it in PDOs", "write `PDOMapping=1`")
+                }
                 (Mapping::Impossible, true) => ("can be mapped; CiA 406 has it in no PDO", "write `PDOMapping=0`"),
                 _ => continue,
             };
+            // One channel stands for all.
+            let index = value.entry.address.index;
+            if last.replace(index) == Some(index) {
+                continue;
+            }
             report.at(value.at, format!("{} {fact}", value.named())).help(cure);
         }
     }
+}
+
+/// Whether a client can change what a TPDO carries.
+fn has_variable_mapping(encoder: &Encoder<'_>) -> bool {
+    let mut pdos = encoder.dictionary.pdos(Direction::Transmit);
+    let writable = |mapping: &Object| mapping.entries.iter().any(|entry| entry.access.writable());
+    pdos.any(|pdo| pdo.mapping.is_some_and(writable))
 }
