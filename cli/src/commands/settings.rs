@@ -1,4 +1,4 @@
-//! `--level`, `--config` and what else says how files are judged; arguments that several commands take.
+//! `--level`, `--profile`, `--config` and what else says how files are judged; arguments that several commands take.
 
 use std::path::PathBuf;
 
@@ -16,6 +16,10 @@ pub(crate) struct SettingsArguments {
     /// Change the level of a rule or a family to allow, note, warn or deny: EDS004=warn, INI=allow; may be repeated
     #[arg(long = "level", value_name = "CODE=LEVEL")]
     changes: Vec<String>,
+
+    /// Hold files against the device profile of this number, whatever their object 1000h says: 406 for encoders, 0 for none
+    #[arg(long, value_name = "NUMBER")]
+    profile: Option<u16>,
 
     /// Read settings from this file instead of the lexican.toml nearest to each file, in its folder or above
     #[arg(long, value_name = "FILE")]
@@ -38,7 +42,8 @@ impl SettingsArguments {
             let change = parse(change)?;
             Ok(levels.with(change))
         })?;
-        let arguments = Settings { levels, profile: None };
+        let profile = self.profile;
+        let arguments = Settings { levels, profile };
         Ok(Configs::new(self.origin(), arguments))
     }
 

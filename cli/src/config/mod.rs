@@ -33,7 +33,8 @@ pub(crate) struct Settings {
 impl Settings {
     /// What is wrong with a file by these settings.
     pub(crate) fn check(&self, reading: &Reading) -> Vec<Diagnostic> {
-        rules::check(reading, &self.levels)
+        let profile = self.profile.unwrap_or_else(|| rules::profile(&reading.dictionary));
+        rules::check_as(reading, &self.levels, profile)
     }
 }
 

@@ -72,6 +72,23 @@ fn an_argument_beats_the_configuration() {
 }
 
 #[test]
+fn a_profile_is_forced_by_argument_or_configuration() {
+    // A drive of CiA 402, which knows nothing of what an encoder has to have.
+    let good = include_str!("../../../tests/fixtures/rules/INI001.fixed.eds");
+    let drive = good.replace("DefaultValue=0x00000000", "DefaultValue=0x00020192");
+    let run = |config: &str, arguments: &[&str]| {
+        let files: &[(&str, &[u8])] = &[("drive.eds", drive.as_bytes()), ("lexican.toml", config.as_bytes())];
+        let ran = Lexican::with(files).run(&[&["check", "drive.eds"], arguments].concat());
+        ran.stdout.contains("[ENC")
+    };
+    assert!(!run("", &[]));
+    assert!(run("", &["--profile", "406"]));
+    assert!(run("profile = 406", &[]));
+    assert!(!run("profile = 406", &["--profile", "402"]));
+    assert!(run("[[override]]\nfiles = [\"*.eds\"]\nprofile = 406", &[]));
+}
+
+#[test]
 fn patterns_of_a_named_configuration_start_in_its_folder() {
     let text = "[[override]]\nfiles = [\"old/*\"]\nlevels.OBJ = \"allow\"\n";
     let arguments = ["--config", "devices/settings.toml"];

@@ -88,7 +88,8 @@ impl LevelChange {
     }
 }
 
-fn known(selector: &str) -> Option<&'static str> {
+/// The code or family of that name, in any case.
+pub(super) fn known(selector: &str) -> Option<&'static str> {
     let family = registry::FAMILIES.iter().map(|family| family.letters);
     let mut families = family.filter(|letters| letters.eq_ignore_ascii_case(selector));
     families.next().or_else(|| Some(find(selector)?.code().as_str()))

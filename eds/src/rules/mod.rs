@@ -13,6 +13,7 @@
 //!
 //! `cargo test -p lexican-tests --test rules` then says what is still missing.
 
+mod allowance;
 mod canchkeds;
 mod com;
 mod dev;
@@ -21,6 +22,7 @@ mod eds;
 mod enc;
 mod ini;
 mod levels;
+mod lex;
 mod manual;
 mod obj;
 mod pdo;
@@ -30,6 +32,7 @@ mod report;
 mod rule;
 mod unusual;
 
+use allowance::Allowances;
 pub use levels::{LevelChange, LevelChangeError, Levels, UnknownRule};
 pub use manual::{anchor, manual, page};
 pub use registry::{Family, all, families, find};
@@ -45,12 +48,15 @@ use crate::{
 };
 pub(crate) use quote::{quoted, similar};
 pub(crate) use report::Report;
-pub(crate) use rule::{DictionaryRule, DocumentRule, DumpRule, EncoderRule, ModelRule, ReadingRule, declare_rule};
+pub(crate) use rule::{
+    AllowanceRule, DictionaryRule, DocumentRule, DumpRule, EncoderRule, ModelRule, ReadingRule, declare_rule,
+};
 pub(crate) use unusual::{Unusual, certain_decimal, octal_cure, unusual, value_name};
 
 /// Everything that is wrong with a file, in the order of the file; at one place, in the order of the codes.
 ///
-/// A rule at [`Level::Allow`] is not run, nor is one about another device profile than 1000h names.
+/// A rule at [`Level::Allow`] is not run, nor is one about another device profile than 1000h names. What a comment in the file
+/// allows, `; lexican: allow(OBJ003)`, is left out.
 #[must_use]
 pub fn check(reading: &Reading, levels: &Levels) -> Vec<Diagnostic> {
     check_as(reading, levels, profile(&reading.dictionary))
@@ -69,8 +75,27 @@ pub fn check_as(reading: &Reading, levels: &Levels, profile: u16) -> Vec<Diagnos
             rule.check(reading, profile, report);
         }
     });
+    if !foreign {
+        allow(document, levels, &mut found);
+    }
     name_sections(document, &mut found);
     found
+}
+
+/// Takes away what comments in the file allow, and adds those comments that allow nothing.
+fn allow(document: &Document, levels: &Levels, found: &mut Vec<Diagnostic>) {
+    let mut allowances = Allowances::read(document);
+    if allowances.is_empty() {
+        return;
+    }
+    found.retain(|diagnostic| !allowances.cover(diagnostic));
+    let idle = allowances.idle(levels);
+    let mut about_comments = collect(document.source().text(), levels, |rule, report| {
+        rule.check_allowances(&idle, report);
+    });
+    about_comments.retain(|diagnostic| !allowances.cover(diagnostic));
+    found.append(&mut about_comments);
+    sort(found);
 }
 
 /// The device profile that the low word of 1000h names (CiA 301, object 1000h); 0 for none, or when the file does not say.
@@ -90,6 +115,8 @@ pub fn validate(reading: &Reading, dump: &Dump, levels: &Levels) -> Vec<Diagnost
     let mut found = collect(text, levels, |rule, report| {
         rule.validate(&reading.dictionary, dump, report);
     });
+    let mut allowances = Allowances::read(&reading.document);
+    found.retain(|diagnostic| !allowances.cover(diagnostic));
     name_sections(&reading.document, &mut found);
     found
 }
@@ -118,6 +145,10 @@ fn collect(text: &str, levels: &Levels, run: impl Fn(&Rule, &mut Report)) -> Vec
         report.into_found()
     });
     let mut found: Vec<Diagnostic> = findings.collect();
-    found.sort_by_key(|diagnostic| (diagnostic.span.start, diagnostic.code));
+    sort(&mut found);
     found
+}
+
+fn sort(found: &mut [Diagnostic]) {
+    found.sort_by_key(|diagnostic| (diagnostic.span.start, diagnostic.code));
 }

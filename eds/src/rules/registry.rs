@@ -1,6 +1,6 @@
 //! The one table of rules, in the order of their codes. A code that dies is not given again: it moves to [`RETIRED`].
 
-use super::{Rule, com, dev, dmp, eds, enc, ini, obj, pdo};
+use super::{Rule, com, dev, dmp, eds, enc, ini, lex, obj, pdo};
 
 /// Rules that look at the same thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +44,10 @@ pub(super) const FAMILIES: &[Family] = &[
     Family {
         letters: "DMP",
         title: "a device: what it answers, held against its file",
+    },
+    Family {
+        letters: "LEX",
+        title: "comments that speak to Lexican",
     },
 ];
 
@@ -208,6 +212,8 @@ const RULES: &[Rule] = &[
     Rule::dump::<dmp::MixedDevices>(),
     Rule::dump::<dmp::UnappliedParameter>(),
     Rule::dump::<dmp::ImpossibleMapping>(),
+    Rule::document::<lex::BadAllowance>(),
+    Rule::allowance::<lex::IdleAllowance>(),
 ];
 
 /// Codes of rules that are no more.

@@ -8,6 +8,7 @@ use crate::{
     dump::Dump,
     ir::Dictionary,
     model::Eds,
+    span::Span,
 };
 
 /// A rule, as users know it.
@@ -50,6 +51,7 @@ pub(super) enum Check {
     Reading(fn(&Reading, &mut Report)),
     Encoder(fn(&Encoder<'_>, &mut Report)),
     Dump(fn(&Dictionary, &Dump, &mut Report)),
+    Allowance(fn(&[Span], &mut Report)),
 }
 
 /// A type that stands for a rule. Made by [`declare_rule!`](super::declare_rule).
@@ -85,6 +87,11 @@ pub(crate) trait EncoderRule: Declared {
 /// Looks at what a device answered, and at the dictionary of its file.
 pub(crate) trait DumpRule: Declared {
     fn check(dictionary: &Dictionary, dump: &Dump, report: &mut Report);
+}
+
+/// Looks at what comments allow where nothing is found, when all other rules have run.
+pub(crate) trait AllowanceRule: Declared {
+    fn check(idle: &[Span], report: &mut Report);
 }
 
 impl Rule {
@@ -127,6 +134,13 @@ impl Rule {
         Self {
             facts: &R::FACTS,
             check: Check::Dump(R::check),
+        }
+    }
+
+    pub(super) const fn allowance<R: AllowanceRule>() -> Self {
+        Self {
+            facts: &R::FACTS,
+            check: Check::Allowance(R::check),
         }
     }
 
@@ -194,7 +208,14 @@ impl Rule {
             Check::Dictionary(check) => check(&reading.dictionary, report),
             Check::Reading(check) => check(reading, report),
             Check::Encoder(check) if profile == Encoder::PROFILE => check(&Encoder::new(&reading.dictionary), report),
-            Check::Encoder(_) | Check::Dump(_) => {}
+            Check::Encoder(_) | Check::Dump(_) | Check::Allowance(_) => {}
+        }
+    }
+
+    /// Looks at comments that allow nothing; a rule about anything else has nothing to look at.
+    pub(super) fn check_allowances(&self, idle: &[Span], report: &mut Report) {
+        if let Check::Allowance(check) = self.check {
+            check(idle, report);
         }
     }
 
