@@ -10,9 +10,9 @@ use std::{
 
 use lexican_eds::{
     Reading,
-    diagnostic::Diagnostic,
+    diagnostic::{Diagnostic, Level},
     render::Renderer,
-    rules::{self, Levels, Rule},
+    rules::{self, LevelChange, Levels, Rule},
 };
 
 fn root(path: &str) -> PathBuf {
@@ -26,7 +26,14 @@ fn read(name: &str) -> Reading {
 }
 
 fn check(reading: &Reading) -> Vec<Diagnostic> {
-    rules::check(reading, &Levels::default())
+    rules::check(reading, &all_levels())
+}
+
+/// A rule that is off is shown by its fixture as well.
+fn all_levels() -> Levels {
+    let off = rules::all().iter().filter(|rule| rule.level() == Level::Allow);
+    let changes = off.filter_map(|rule| LevelChange::new(rule.code().as_str(), Level::Note).ok());
+    changes.fold(Levels::default(), Levels::with)
 }
 
 /// The rules that look at files.

@@ -49,7 +49,8 @@ const INTRODUCTION: &str = "\
 <!-- Made by `lexican explain --all`: change the rules' doc comments in eds/src/rules, not this file. -->
 
 A *deny* means that a master or a generator will go wrong, a *warn* that the standard is broken, a *note* is a matter of
-style. `--level CODE=allow|note|warn|deny` changes that for a rule, or with its letters for a family.
+style; an *allow* is not looked for unless you ask. `--level CODE=allow|note|warn|deny` changes that for a rule, or with its
+letters for a family.
 
 `lexican check --fix` mends what has a safe cure: where only one cure is possible, the device stays as it is described but for
 the fact that the finding is about, and nothing is lost. `--diff` shows what it would change.

@@ -1,5 +1,6 @@
 //! The structure of the file: sections, keywords, lists, numbers.
 
+mod absent_linked_object;
 mod absent_module;
 mod absent_object;
 mod bad_section_name;
@@ -12,6 +13,7 @@ mod keyword_spelling;
 mod legacy_keyword;
 mod line_without_sub_object;
 mod list_gap;
+mod list_without_compact_form;
 mod lists;
 mod misfiled_object;
 mod misplaced_keyword;
@@ -28,10 +30,13 @@ mod unknown_section;
 mod unlisted_object;
 mod unreadable_number;
 mod wrong_date;
+mod wrong_entry_count;
+mod wrong_file_name;
 mod wrong_object_count;
 mod wrong_sub_number;
 mod wrong_time;
 
+pub(super) use absent_linked_object::AbsentLinkedObject;
 pub(super) use absent_module::AbsentModule;
 pub(super) use absent_object::AbsentObject;
 pub(super) use bad_section_name::BadSectionName;
@@ -44,6 +49,7 @@ pub(super) use keyword_spelling::KeywordSpelling;
 pub(super) use legacy_keyword::LegacyKeyword;
 pub(super) use line_without_sub_object::LineWithoutSubObject;
 pub(super) use list_gap::ListGap;
+pub(super) use list_without_compact_form::ListWithoutCompactForm;
 pub(super) use misfiled_object::MisfiledObject;
 pub(super) use misplaced_keyword::MisplacedKeyword;
 pub(super) use missing_keyword::MissingKeyword;
@@ -59,6 +65,8 @@ pub(super) use unknown_section::UnknownSection;
 pub(super) use unlisted_object::UnlistedObject;
 pub(super) use unreadable_number::UnreadableNumber;
 pub(super) use wrong_date::WrongDate;
+pub(super) use wrong_entry_count::WrongEntryCount;
+pub(super) use wrong_file_name::WrongFileName;
 pub(super) use wrong_object_count::WrongObjectCount;
 pub(super) use wrong_sub_number::WrongSubNumber;
 pub(super) use wrong_time::WrongTime;

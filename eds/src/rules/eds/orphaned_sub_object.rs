@@ -30,7 +30,7 @@ declare_rule! {
     /// ```
     ///
     /// ## Reference
-    /// CiA 306-1, object sections; CANchkEDS V40
+    /// CiA 306-1, object sections and object links; CANchkEDS V7, V40
     pub(crate) OrphanedSubObject { code: "EDS016", level: Level::Deny, since: "0.1.0" }
 }
 

@@ -1,0 +1,48 @@
+use crate::{
+    diagnostic::Level,
+    ir::{Dictionary, Entry, Object, ObjectCode},
+    rules::{DictionaryRule, Report, declare_rule},
+};
+
+declare_rule! {
+    /// ## What it does
+    /// Finds a sub-index 0 of an array or record that cannot be written and has no DefaultValue.
+    ///
+    /// ## Why it matters
+    /// It is the highest sub-index, which the file knows. A tool that plans its reads by the file cannot, and a generator has to guess.
+    ///
+    /// ## Example
+    /// ```ini
+    /// [2100sub0]
+    /// ParameterName=Highest sub-index supported
+    /// AccessType=const
+    /// ```
+    ///
+    /// Use instead:
+    /// ```ini
+    /// [2100sub0]
+    /// ParameterName=Highest sub-index supported
+    /// AccessType=const
+    /// DefaultValue=1
+    /// ```
+    ///
+    /// ## Reference
+    /// CiA 301, 7.4.3, sub-index 0; CANchkEDS W24
+    pub(crate) SilentSubIndexZero { code: "OBJ027", level: Level::Note, since: "0.1.0" }
+}
+
+impl DictionaryRule for SilentSubIndexZero {
+    fn check(dictionary: &Dictionary, report: &mut Report) {
+        let structured = |object: &&Object| matches!(object.code, ObjectCode::Array | ObjectCode::Record);
+        for object in dictionary.objects.iter().filter(structured) {
+            // A sub-index 0 that the file does not have is OBJ009.
+            let silent = |zero: &&Entry| !zero.access.writable() && zero.default.is_none();
+            if let Some(zero) = object.entry(0).filter(silent) {
+                let highest = object.entries.last().map_or(0, |last| last.address.sub);
+                report
+                    .at(zero.spans.section, format!("{} has no value", zero.address))
+                    .help(format!("write `DefaultValue={highest}`"));
+            }
+        }
+    }
+}
