@@ -7,6 +7,7 @@
 //! | `format` | one output format of `check` and `validate` a file |
 //! | `parallel`, `progress` | many files at once, and a bar for those who wait |
 //! | `input`, `output` | the only reading and writing of files and streams |
+//! | `patch` | unified diffs |
 //! | `failure` | why a command could not run, in one line |
 
 mod commands;
@@ -16,6 +17,7 @@ mod format;
 mod input;
 mod output;
 mod parallel;
+mod patch;
 mod progress;
 
 use std::{io::Write as _, process::ExitCode};

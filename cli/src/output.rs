@@ -30,6 +30,12 @@ impl Stdout {
         self.finish()
     }
 
+    /// Writes `bytes`, and all that is still held back.
+    pub(crate) fn print_bytes(mut self, bytes: &[u8]) -> Result<(), Failure> {
+        self.write_all(bytes).map_err(|error| unwritten(&error))?;
+        self.finish()
+    }
+
     /// Writes what is still held back.
     pub(crate) fn finish(mut self) -> Result<(), Failure> {
         self.flush().map_err(|error| unwritten(&error))
@@ -58,26 +64,34 @@ pub(crate) fn unwritten(error: &io::Error) -> Failure {
     Failure::io("cannot write to", "standard output", error)
 }
 
+/// Puts `bytes` at `path`, which is a file with other bytes, as [`write`] does.
+pub(crate) fn rewrite(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    replace(path, bytes).map_err(|error| Failure::io("cannot write", &path.display().to_string(), &error))
+}
+
 /// Puts `text` at `path` in one step: a reader finds the old file or the new one, never a part. `-` is standard output.
 pub(crate) fn write(path: &Path, text: &str) -> Result<(), Failure> {
     if path == Path::new("-") {
         return Stdout::plain().print(text);
     }
-    replace(path, text).map_err(|error| Failure::io("cannot write", &path.display().to_string(), &error))
+    replace(path, text.as_bytes()).map_err(|error| Failure::io("cannot write", &path.display().to_string(), &error))
 }
 
-fn replace(path: &Path, text: &str) -> io::Result<()> {
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     // A link stays a link: what it points to is replaced.
     let path = &path.canonicalize().unwrap_or_else(|_| path.to_owned());
     match fs::metadata(path) {
         Ok(target) if target.is_dir() => return Err(ErrorKind::IsADirectory.into()),
-        Ok(target) if !target.is_file() => return fs::write(path, text),
+        Ok(target) if !target.is_file() => return fs::write(path, bytes),
         Ok(target) if target.permissions().readonly() => return Err(ErrorKind::PermissionDenied.into()),
         _ => {}
     }
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     let mut file = temporary().tempfile_in(folder.unwrap_or(Path::new(".")))?;
-    file.write_all(text.as_bytes())?;
+    file.write_all(bytes)?;
+    if let Ok(old) = fs::metadata(path) {
+        file.as_file().set_permissions(old.permissions())?;
+    }
     file.persist(path)?;
     Ok(())
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::{settings::SettingsArguments, shown::ShownArguments};
+use super::{differences::Differences, fix, settings::SettingsArguments, shown::ShownArguments};
 use crate::{
     Verdict,
     config::Settings,
@@ -29,6 +29,14 @@ pub(crate) struct Check {
     #[command(flatten)]
     shown: ShownArguments,
 
+    /// Make the cures that are safe in the files, and report what is left; standard input is written to standard output
+    #[arg(long)]
+    fix: bool,
+
+    /// Show what --fix would change as a unified diff, and change nothing; ends with 1 when there is something
+    #[arg(long, conflicts_with_all = ["fix", "format", "min_level"])]
+    diff: bool,
+
     #[command(flatten)]
     settings: SettingsArguments,
 }
@@ -37,7 +45,9 @@ const EXAMPLES: &str = "\
 Examples:
   lexican check pump.eds
   lexican check devices --level INI=allow --level EDS006=deny
-  lexican check --format json - < pump.eds";
+  lexican check --format json - < pump.eds
+  lexican check --diff devices
+  lexican check --fix pump.eds";
 
 impl Check {
     pub(crate) fn run(self) -> Result<Verdict, Failure> {
@@ -45,13 +55,31 @@ impl Check {
         let mut configs = self.settings.configs()?;
         let with_settings = |input| Ok((configs.settings(&input)?, input));
         let inputs: Vec<_> = inputs.into_iter().map(with_settings).collect::<Result<_, _>>()?;
+        let is_stdin = |(_, input): &(_, Input)| matches!(input, Input::Stdin);
+        match inputs.as_slice() {
+            _ if self.diff => self.differences(inputs, &failures),
+            [(settings, Input::Stdin)] if self.fix => fix::stdin(settings, self.shown.style()),
+            inputs if self.fix && inputs.iter().any(is_stdin) => Err(Failure::new(
+                "--fix writes standard input to standard output; name `-` alone",
+            )),
+            _ => self.findings(inputs, failures),
+        }
+    }
+
+    fn findings(&self, inputs: Vec<(Settings, Input)>, failures: Vec<Failure>) -> Result<Verdict, Failure> {
         let style = self.shown.style();
         let mut printer = Printer::new(style, Subject::File)?;
         for failure in failures {
             printer.failure(failure);
         }
         let mut progress = Progress::new(inputs.len(), !style.quiet);
-        let check = |(settings, input): (Settings, Input)| check(&input, &settings, style);
+        let check = |(settings, input): (Settings, Input)| {
+            if self.fix {
+                fix::file(&input, &settings, style)
+            } else {
+                check(&input, &settings, style)
+            }
+        };
         parallel::in_order(inputs, check, |checked| {
             progress.advance();
             match checked {
@@ -62,6 +90,21 @@ impl Check {
         })?;
         drop(progress);
         printer.finish()
+    }
+
+    /// Shows what the cures would change.
+    fn differences(&self, inputs: Vec<(Settings, Input)>, failures: &[Failure]) -> Result<Verdict, Failure> {
+        let mut shown = Differences::new();
+        for failure in failures {
+            shown.fail(failure);
+        }
+        let reader = shown.reader();
+        let difference = |(settings, input): (Settings, Input)| fix::difference(&input, &settings, reader);
+        parallel::in_order(inputs, difference, |difference| shown.add(difference))?;
+        shown.finish(self.shown.style().quiet, |files, number| {
+            let (files, number) = (count(files, "file"), count(number, "finding"));
+            format!("`--fix` mends {number} in {files}")
+        })
     }
 
     /// The files, in the order of the arguments, and why others are not among them.
@@ -83,4 +126,10 @@ fn check(input: &Input, settings: &Settings, style: Style) -> Result<Rendered, F
     let reading = lexican_eds::read(input.name(), input.read()?);
     let found = settings.check(&reading);
     Ok(style.render(reading.document.source(), found))
+}
+
+/// `3 findings`
+fn count(number: usize, thing: &str) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{number} {thing}{plural}")
 }

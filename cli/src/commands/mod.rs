@@ -1,7 +1,9 @@
 //! One subcommand a file.
 
 mod check;
+mod differences;
 mod explain;
+mod fix;
 mod generate;
 mod settings;
 mod shown;

@@ -41,6 +41,7 @@ struct Summary {
     #[serde(flatten)]
     counts: Counts,
     hidden: usize,
+    fixed: usize,
 }
 
 impl Form for Json {
@@ -70,6 +71,7 @@ impl Form for Json {
             files: run.files,
             counts: run.counts,
             hidden: run.hidden,
+            fixed: run.fixed,
         };
         let (failures, summary) = (json_within(&failures, 1), json_within(&summary, 1));
         format!("\n  ],\n  \"failures\": {failures},\n  \"summary\": {summary}\n}}\n")

@@ -66,6 +66,10 @@ struct Run {
     counts: Counts,
     /// How many findings are below the level that is shown.
     hidden: usize,
+    /// How many of those that are shown have a safe cure.
+    fixable: usize,
+    /// How many findings were cured.
+    fixed: usize,
     /// The rules that found something to show.
     codes: BTreeSet<Code>,
     /// Files and directories that could not be read.

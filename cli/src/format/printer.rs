@@ -30,6 +30,10 @@ pub(crate) struct Rendered {
     text: String,
     counts: Counts,
     hidden: usize,
+    /// How many findings have a safe cure.
+    fixable: usize,
+    /// How many findings were cured.
+    fixed: usize,
     codes: BTreeSet<Code>,
 }
 
@@ -47,8 +51,17 @@ impl Style {
             text: self.format.form().file(&checked),
             counts: findings.iter().collect(),
             hidden: total - findings.len(),
+            fixable: findings.iter().filter(|finding| finding.fix.is_some()).count(),
+            fixed: 0,
             codes: findings.iter().map(|finding| finding.code).collect(),
         }
+    }
+}
+
+impl Rendered {
+    /// Of a file in which `fixed` findings were cured.
+    pub(crate) fn with_fixed(self, fixed: usize) -> Self {
+        Self { fixed, ..self }
     }
 }
 
@@ -119,6 +132,8 @@ impl Run {
         self.files += 1;
         self.counts += rendered.counts;
         self.hidden += rendered.hidden;
+        self.fixable += rendered.fixable;
+        self.fixed += rendered.fixed;
         self.codes.extend(rendered.codes);
     }
 

@@ -19,17 +19,18 @@ impl Form for Text {
         text
     }
 
-    /// The summary.
+    /// The summary, and what to do next.
     fn end(&self, run: &Run) -> String {
         match run.files {
             0 => String::new(),
-            _ => format!("{run}\n"),
+            _ if run.fixable == 0 => format!("{run}\n"),
+            _ => format!("{run}\n`--fix` mends {} of them, `--diff` shows how\n", run.fixable),
         }
     }
 }
 
 impl std::fmt::Display for Run {
-    /// `3 files checked: 1 error, 2 warnings (12 below the level shown)`
+    /// `3 files checked: 1 error, 2 warnings (12 below --min-level not shown)`
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let subject = match self.subject {
             Subject::File => "file",
@@ -37,9 +38,12 @@ impl std::fmt::Display for Run {
         };
         let plural = if self.files == 1 { "" } else { "s" };
         write!(f, "{} {subject}{plural} checked: {}", self.files, self.counts)?;
-        match self.hidden {
-            0 => Ok(()),
-            hidden => write!(f, " ({hidden} below --min-level not shown)"),
+        if self.hidden > 0 {
+            write!(f, " ({} below --min-level not shown)", self.hidden)?;
         }
+        if self.fixed > 0 {
+            write!(f, "; {} fixed", self.fixed)?;
+        }
+        Ok(())
     }
 }

@@ -262,7 +262,10 @@ fn what_is_below_the_level_that_is_shown_is_counted_and_counts_for_the_exit_code
         let ran = lexican.run(&files);
         let text = ran.printed(code).to_owned();
         let heads = text.lines().filter(|line| line.contains(".eds:")).count();
-        (heads, text.lines().last().unwrap().to_owned())
+        (
+            heads,
+            text.lines().find(|line| line.contains("checked: ")).unwrap().to_owned(),
+        )
     };
     assert_eq!(
         run("note", 1),

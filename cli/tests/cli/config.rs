@@ -18,7 +18,11 @@ fn summary(files: &[(&str, &str)], arguments: &[&str]) -> String {
     let files: Vec<(&str, &[u8])> = devices.into_iter().chain(others).collect();
     let ran = Lexican::with(&files).run(&[&["check", "devices"], arguments].concat());
     assert_eq!(ran.stderr, "");
-    ran.stdout.lines().last().unwrap().replace("3 files checked: ", "")
+    let summary = ran
+        .stdout
+        .lines()
+        .find_map(|line| line.strip_prefix("3 files checked: "));
+    summary.unwrap().to_owned()
 }
 
 #[test]
