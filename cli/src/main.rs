@@ -22,7 +22,7 @@ mod progress;
 
 use std::{io::Write as _, process::ExitCode};
 
-use clap::{Parser, ValueEnum};
+use clap::{CommandFactory, Parser, ValueEnum, error::ErrorKind};
 
 use commands::Command;
 
@@ -30,10 +30,14 @@ use commands::Command;
 ///
 /// Checks EDS and DCF files against the CiA standards and generates Rust from them.
 #[derive(Parser)]
-#[command(version, max_term_width = 100)]
+#[command(version, max_term_width = 100, arg_required_else_help = true)]
 struct Arguments {
     #[command(subcommand)]
-    command: Command,
+    command: Option<Command>,
+
+    /// Explain a rule, as `lexican explain CODE` does
+    #[arg(long, value_name = "CODE", display_order = 99)]
+    explain: Option<String>,
 
     /// When to colour the output; `auto` asks the terminal and NO_COLOR
     #[arg(
@@ -69,11 +73,25 @@ enum Verdict {
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     arguments.color.choose();
-    match arguments.command.run() {
+    match arguments.into_command().run() {
         Ok(verdict) => ExitCode::from(verdict as u8),
         Err(failure) => {
             failure.print();
             ExitCode::from(Verdict::Incomplete as u8)
+        }
+    }
+}
+
+impl Arguments {
+    /// What is to be done; ends with a word about the usage when that is nothing.
+    fn into_command(self) -> Command {
+        match (self.explain, self.command) {
+            (Some(code), _) => Command::explain(code),
+            (None, Some(command)) => command,
+            (None, None) => {
+                let mut usage = Self::command();
+                usage.error(ErrorKind::MissingSubcommand, "a command is missing").exit()
+            }
         }
     }
 }

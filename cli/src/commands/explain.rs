@@ -22,6 +22,14 @@ pub(crate) struct Explain {
 }
 
 impl Explain {
+    /// The page of one rule or the list of one family.
+    pub(super) fn of(code: String) -> Self {
+        Self {
+            code: Some(code),
+            all: false,
+        }
+    }
+
     pub(crate) fn run(self) -> Result<Verdict, Failure> {
         let text = match self.code {
             _ if self.all => rules::manual(),

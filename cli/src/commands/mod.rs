@@ -1,10 +1,12 @@
 //! One subcommand a file.
 
 mod check;
+mod completions;
 mod differences;
 mod explain;
 mod fix;
 mod generate;
+mod man;
 mod settings;
 mod shown;
 mod validate;
@@ -19,15 +21,24 @@ pub(crate) enum Command {
     Explain(explain::Explain),
     Generate(generate::Generate),
     Validate(validate::Validate),
+    Completions(completions::Completions),
+    Man(man::Man),
 }
 
 impl Command {
+    /// `explain CODE`
+    pub(crate) fn explain(code: String) -> Self {
+        Self::Explain(explain::Explain::of(code))
+    }
+
     pub(crate) fn run(self) -> Result<Verdict, Failure> {
         match self {
             Self::Check(check) => check.run(),
             Self::Explain(explain) => explain.run(),
             Self::Generate(generate) => generate.run(),
             Self::Validate(validate) => validate.run(),
+            Self::Completions(completions) => completions.run(),
+            Self::Man(man) => man.run(),
         }
     }
 }

@@ -59,3 +59,12 @@ fn an_unknown_code_is_refused_with_a_similar_one() {
         "error: unknown rule `pump.eds`; `lexican explain` lists them all\n"
     );
 }
+
+#[test]
+fn it_is_an_option_as_well_as_in_rustc() {
+    let ran = Lexican::with(&[]).run(&["--explain", "OBJ002"]);
+    assert_eq!(ran, explain(&["OBJ002"]));
+    let ran = Lexican::with(&[]).run(&["--color", "never"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.stderr.starts_with("error: a command is missing"), "{}", ran.stderr);
+}

@@ -10,4 +10,5 @@ mod formats;
 mod generate;
 mod help;
 mod lexican;
+mod shell;
 mod validate;
