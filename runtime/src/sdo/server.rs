@@ -288,6 +288,7 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
 
     /// Ends the transfer with an abort message.
     #[cold]
+    #[inline(never)]
     pub(super) fn refuse(&mut self, address: Address, code: AbortCode) -> [u8; 8] {
         self.reset();
         Response::Abort { address, code }.emit()
