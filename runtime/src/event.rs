@@ -4,7 +4,7 @@ use crate::{
     lss::BitRate,
     od::{Reset, TimeOfDay},
     wire::nmt::NmtState,
-    NodeId,
+    Address, NodeId,
 };
 
 /// Something that happened on the bus or to the node, other than an access to an object.
@@ -30,6 +30,9 @@ pub enum Event {
     /// The NMT master has stopped asking for this node's state (`true`), or has begun again (`false`): life guarding, by
     /// 100Ch and 100Dh.
     LifeGuardingLost(bool),
+    /// The stored value of this object does not fit the dictionary any more, and is not loaded: the object is not there or not
+    /// stored, or its length or limits are others.
+    Dropped(Address),
     /// The CAN controller is to have this bit rate from now on: LSS was told to activate it. The node is silent for the
     /// switch delay that follows.
     BitRate(BitRate),

@@ -7,7 +7,8 @@
 //! * [`wire`]: bytes ↔ meaning, one message family a file, no state.
 //! * [`od`]: the object dictionary: a table in flash, values in one struct, access with the abort codes of CiA 301.
 //! * one service a file or folder: [`sdo`], [`nmt`], [`heartbeat`], [`guarding`], [`emcy`], [`sync`], [`time`],
-//!   [`pdo`], [`lss`].
+//!   [`pdo`], [`lss`],
+//!   [`storage`].
 //! * [`led`]: what the LEDs of a device show, as pure functions.
 //! * [`Node`]: ties the services together: [`Node::receive`], [`Node::poll`], [`Node::poll_at`].
 
@@ -22,6 +23,7 @@ pub mod nmt;
 pub mod od;
 pub mod pdo;
 pub mod sdo;
+pub mod storage;
 pub mod sync;
 pub mod time;
 pub mod wire;

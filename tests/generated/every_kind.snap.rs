@@ -634,27 +634,39 @@ pub mod every_kind {
             value: u32,
         ) -> Result<(), AbortCode>;
     }
-    /// The device: its dictionary, and the application behind it.
+    /// The device: its dictionary, the application behind it, and the memory that outlives power-off.
     #[derive(Clone, Debug)]
-    pub struct Device<H> {
+    pub struct Device<H, S = lexican_runtime::storage::NoStorage> {
         /// The dictionary.
         pub od: Dictionary,
         /// The application.
         pub handlers: H,
+        /// The memory.
+        pub storage: S,
     }
     impl<H> Device<H> {
-        /// The device after power-on; the node gives it its node-ID.
+        /// The device after power-on, without a memory; the node gives it its node-ID.
         #[must_use]
         pub const fn new(handlers: H) -> Self {
+            Self::with_storage(handlers, lexican_runtime::storage::NoStorage)
+        }
+    }
+    impl<H, S> Device<H, S> {
+        /// The device after power-on; the node gives it its node-ID, and what is stored.
+        #[must_use]
+        pub const fn with_storage(handlers: H, storage: S) -> Self {
             Self {
                 od: Dictionary::DEFAULTS,
                 handlers,
+                storage,
             }
         }
     }
-    impl<H: Handlers> lexican_runtime::Device for Device<H> {
+    impl<H: Handlers, S: lexican_runtime::storage::Storage> lexican_runtime::Device
+    for Device<H, S> {
         type Buffer = [u8; 100];
         type Pdos = lexican_runtime::pdo::Pdos<2, 0, 3>;
+        type Storage = S;
         type Watches = [lexican_runtime::heartbeat::Watch; 0];
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS);
         const NUMBERS: NumberSet = NumberSet::of(&ROWS);
@@ -687,11 +699,15 @@ pub mod every_kind {
             [lexican_runtime::heartbeat::Watch::NOBODY; 0]
         }
         #[inline]
+        fn storage(&mut self) -> Option<&mut S> {
+            Some(&mut self.storage)
+        }
+        #[inline]
         fn event(&mut self, event: Event) {
             self.handlers.event(&mut self.od, event);
         }
         fn before_read(&mut self, address: Address) -> Result<(), AbortCode> {
-            let Self { od, handlers } = self;
+            let Self { od, handlers, .. } = self;
             match (address.index, address.sub) {
                 (0x2600, 0x00) => {
                     handlers.read_switch(od).map(|value| od.switch = value.into())
@@ -725,7 +741,7 @@ pub mod every_kind {
             address: Address,
             value: Value<'_>,
         ) -> Result<(), AbortCode> {
-            let Self { od, handlers } = self;
+            let Self { od, handlers, .. } = self;
             match (address.index, address.sub) {
                 (0x1010, sub @ 0x01) => {
                     handlers.write_store_parameters(od, sub, value.to_u32())

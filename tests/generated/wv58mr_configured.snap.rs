@@ -286,27 +286,39 @@ pub mod wv58mr_configured {
         }
     }
     impl Handlers for () {}
-    /// The device: its dictionary, and the application behind it.
+    /// The device: its dictionary, the application behind it, and the memory that outlives power-off.
     #[derive(Clone, Debug)]
-    pub struct Device<H> {
+    pub struct Device<H, S = lexican_runtime::storage::NoStorage> {
         /// The dictionary.
         pub od: Dictionary,
         /// The application.
         pub handlers: H,
+        /// The memory.
+        pub storage: S,
     }
     impl<H> Device<H> {
-        /// The device after power-on; the node gives it its node-ID.
+        /// The device after power-on, without a memory; the node gives it its node-ID.
         #[must_use]
         pub const fn new(handlers: H) -> Self {
+            Self::with_storage(handlers, lexican_runtime::storage::NoStorage)
+        }
+    }
+    impl<H, S> Device<H, S> {
+        /// The device after power-on; the node gives it its node-ID, and what is stored.
+        #[must_use]
+        pub const fn with_storage(handlers: H, storage: S) -> Self {
             Self {
                 od: Dictionary::DEFAULTS,
                 handlers,
+                storage,
             }
         }
     }
-    impl<H: Handlers> lexican_runtime::Device for Device<H> {
+    impl<H: Handlers, S: lexican_runtime::storage::Storage> lexican_runtime::Device
+    for Device<H, S> {
         type Buffer = [u8; 8];
         type Pdos = lexican_runtime::pdo::Pdos<2, 0, 4>;
+        type Storage = S;
         type Watches = [lexican_runtime::heartbeat::Watch; 0];
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS).with(ServiceSet::LSS);
         const NUMBERS: NumberSet = NumberSet::of(&ROWS);
@@ -341,6 +353,10 @@ pub mod wv58mr_configured {
         #[inline]
         fn bit_rates(&self) -> lexican_runtime::lss::BitRates {
             lexican_runtime::lss::BitRates(0x00DF)
+        }
+        #[inline]
+        fn storage(&mut self) -> Option<&mut S> {
+            Some(&mut self.storage)
         }
         #[inline]
         fn event(&mut self, event: Event) {

@@ -515,27 +515,39 @@ pub mod wv58mr_handled {
             value: u16,
         ) -> Result<(), AbortCode>;
     }
-    /// The device: its dictionary, and the application behind it.
+    /// The device: its dictionary, the application behind it, and the memory that outlives power-off.
     #[derive(Clone, Debug)]
-    pub struct Device<H> {
+    pub struct Device<H, S = lexican_runtime::storage::NoStorage> {
         /// The dictionary.
         pub od: Dictionary,
         /// The application.
         pub handlers: H,
+        /// The memory.
+        pub storage: S,
     }
     impl<H> Device<H> {
-        /// The device after power-on; the node gives it its node-ID.
+        /// The device after power-on, without a memory; the node gives it its node-ID.
         #[must_use]
         pub const fn new(handlers: H) -> Self {
+            Self::with_storage(handlers, lexican_runtime::storage::NoStorage)
+        }
+    }
+    impl<H, S> Device<H, S> {
+        /// The device after power-on; the node gives it its node-ID, and what is stored.
+        #[must_use]
+        pub const fn with_storage(handlers: H, storage: S) -> Self {
             Self {
                 od: Dictionary::DEFAULTS,
                 handlers,
+                storage,
             }
         }
     }
-    impl<H: Handlers> lexican_runtime::Device for Device<H> {
+    impl<H: Handlers, S: lexican_runtime::storage::Storage> lexican_runtime::Device
+    for Device<H, S> {
         type Buffer = [u8; 8];
         type Pdos = lexican_runtime::pdo::Pdos<2, 0, 4>;
+        type Storage = S;
         type Watches = [lexican_runtime::heartbeat::Watch; 0];
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS).with(ServiceSet::LSS);
         const NUMBERS: NumberSet = NumberSet::of(&ROWS);
@@ -572,6 +584,10 @@ pub mod wv58mr_handled {
             lexican_runtime::lss::BitRates(0x00DF)
         }
         #[inline]
+        fn storage(&mut self) -> Option<&mut S> {
+            Some(&mut self.storage)
+        }
+        #[inline]
         fn event(&mut self, event: Event) {
             self.handlers.event(&mut self.od, event);
         }
@@ -583,7 +599,7 @@ pub mod wv58mr_handled {
             address: Address,
             value: Value<'_>,
         ) -> Result<(), AbortCode> {
-            let Self { od, handlers } = self;
+            let Self { od, handlers, .. } = self;
             match (address.index, address.sub) {
                 (0x1005, 0x00) => handlers.write_cob_id_sync_message(od, value.to_u32()),
                 (0x100C, 0x00) => handlers.write_guard_time(od, value.to_u16()),
@@ -622,13 +638,13 @@ pub mod wv58mr_handled {
             }
         }
     }
-    impl<H: Handlers> Device<H> {
+    impl<H: Handlers, S: lexican_runtime::storage::Storage> Device<H, S> {
         fn before_write_1(
             &mut self,
             address: Address,
             value: Value<'_>,
         ) -> Result<(), AbortCode> {
-            let Self { od, handlers } = self;
+            let Self { od, handlers, .. } = self;
             match (address.index, address.sub) {
                 (0x6002, 0x00) => {
                     handlers.write_total_measuring_range(od, value.to_u32())

@@ -9,6 +9,7 @@ pub mod dialogue;
 pub mod emulator;
 pub mod generated;
 pub mod line;
+pub mod memory;
 pub mod network;
 pub mod python;
 pub mod sample;

@@ -176,6 +176,7 @@ pub mod device {
     impl<H: Handlers> lexican_runtime::Device for Device<H> {
         type Buffer = [u8; 60];
         type Pdos = lexican_runtime::pdo::Pdos<0, 0, 0>;
+        type Storage = lexican_runtime::storage::NoStorage;
         type Watches = [lexican_runtime::heartbeat::Watch; 0];
 
         #[inline]

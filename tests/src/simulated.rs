@@ -6,6 +6,8 @@ use lexican_runtime::od::{Access, DataType, Device, Entry, Extra, Table, Value, 
 use lexican_runtime::pdo::{Mapped, Parts, Room, Rpdo, Tpdo};
 use lexican_runtime::{AbortCode, Address, Event, lss::BitRates};
 
+use crate::memory::Memory;
+
 /// A value that a simulated device is to have.
 #[derive(Clone, Debug)]
 pub struct Object {
@@ -128,6 +130,7 @@ pub struct Simulated {
     longest: usize,
     dummy_usage: u8,
     bit_rates: BitRates,
+    memory: Option<Memory>,
     told: Vec<Event>,
 }
 
@@ -145,6 +148,7 @@ impl Simulated {
             longest: 0,
             dummy_usage: 0,
             bit_rates: BitRates::ALL,
+            memory: None,
             told: Vec::new(),
         };
         let entries: Vec<Entry> = objects.iter().map(|object| device.lay_out(object)).collect();
@@ -175,6 +179,13 @@ impl Simulated {
     #[must_use]
     pub fn with_dummies(mut self, dummy_usage: u8) -> Self {
         self.dummy_usage = dummy_usage;
+        self
+    }
+
+    /// The device with this memory for what is stored.
+    #[must_use]
+    pub fn with_memory(mut self, memory: &Memory) -> Self {
+        self.memory = Some(memory.clone());
         self
     }
 
@@ -277,6 +288,7 @@ fn widened(data_type: DataType, bytes: &[u8]) -> Vec<u8> {
 impl Device for Simulated {
     type Buffer = Vec<u8>;
     type Pdos = SimulatedPdos;
+    type Storage = Memory;
     type Watches = Vec<Watch>;
 
     fn table(&self) -> Table<'_> {
@@ -328,6 +340,10 @@ impl Device for Simulated {
 
     fn dummy_usage(&self) -> u8 {
         self.dummy_usage
+    }
+
+    fn storage(&mut self) -> Option<&mut Memory> {
+        self.memory.as_mut()
     }
 
     fn bit_rates(&self) -> BitRates {

@@ -18,6 +18,7 @@ use lexican_runtime::{
 use lexican_tests::{
     bus::Bus,
     line,
+    memory::Memory,
     simulated::{Object, Simulated},
 };
 use serde_json::Value;
@@ -50,7 +51,7 @@ fn every_vector_is_held_whose_services_are_there() {
         println!("later, {reason}: {} vectors: {}", names.len(), names.join(", "));
     }
     println!("held: {held}");
-    assert_eq!(held, 260, "fewer vectors are held than were");
+    assert_eq!(held, 266, "fewer vectors are held than were");
 }
 
 fn name(vector: &Value) -> &str {
@@ -60,46 +61,30 @@ fn name(vector: &Value) -> &str {
 /// The service that a vector waits for.
 fn reason_for_later(vector: &Value) -> Option<&str> {
     let service = vector["service"].as_str().unwrap();
-    let requests = || {
-        vector["exchanges"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .map(|exchange| &exchange["request"])
-    };
-    let sdo = |request: &Value| line::bytes(request["data"].as_str().unwrap_or(""));
     if !matches!(service, "SDO" | "NMT" | "EMCY" | "SYNC" | "PDO" | "LSS") {
         return Some(service);
     }
-    if vector["needs_store"] == true {
-        return Some("storage");
-    }
-    if requests().any(|request| request["id"] == "7E5" && sdo(request).first() == Some(&0x17)) {
-        return Some("storage");
-    }
-    match vector["kind"].as_str()? {
-        "nmt_lss" if name(vector) == "TS_Lss_SelGlobal_ChgNodeId" => Some("storage"),
-        _ => match name(vector) {
-            "TS_Nmt_NoSdoInInit" => Some("a node that stays in INITIALISING"),
-            "TS_ExpWr_DataNullPtr" => Some("an object without data"),
-            // It expects an abort in answer to the client's abort, which CiA 301 gives no answer.
-            "TS_SegWr_RestartTransfer" => Some("never: its abort is answered"),
-            // The value that it refuses watches the node that the same sub-index watches already.
-            "TS_HBCons_DynSdoError" => Some("never: it refuses to watch the same node anew"),
-            // A byte fewer than they announce is to be enough.
-            "TS_BlkWr_889ByteDomain" | "TS_BlkWr_890ByteDomain" => Some("never: it ends a byte too early"),
-            // They map 24 bits of an UNSIGNED32; a mapping has the length of its object (CiA 301, 7.5.2.36).
-            "TS_TPdo_24Bit" | "TS_RPdo_24Bit" => Some("never: it maps a part of an object"),
-            // Its type is 1, but it is sent after an event, without SYNC.
-            "TS_TPdo_Async" => Some("never: a synchronous PDO is sent without SYNC"),
-            _ => None,
-        },
+    match name(vector) {
+        "TS_Nmt_NoSdoInInit" => Some("a node that stays in INITIALISING"),
+        "TS_ExpWr_DataNullPtr" => Some("an object without data"),
+        // It expects an abort in answer to the client's abort, which CiA 301 gives no answer.
+        "TS_SegWr_RestartTransfer" => Some("never: its abort is answered"),
+        // The value that it refuses watches the node that the same sub-index watches already.
+        "TS_HBCons_DynSdoError" => Some("never: it refuses to watch the same node anew"),
+        // A byte fewer than they announce is to be enough.
+        "TS_BlkWr_889ByteDomain" | "TS_BlkWr_890ByteDomain" => Some("never: it ends a byte too early"),
+        // They map 24 bits of an UNSIGNED32; a mapping has the length of its object (CiA 301, 7.5.2.36).
+        "TS_TPdo_24Bit" | "TS_RPdo_24Bit" => Some("never: it maps a part of an object"),
+        // Its type is 1, but it is sent after an event, without SYNC.
+        "TS_TPdo_Async" => Some("never: a synchronous PDO is sent without SYNC"),
+        _ => None,
     }
 }
 
 fn hold(vector: &Value) {
     let node_id = u8::try_from(vector["node_id"].as_u64().unwrap()).unwrap();
-    let mut bus = Bus::booted(device(vector), node_id);
+    let device = device(vector).with_memory(&Memory::eeprom(4096));
+    let mut bus = Bus::booted(device, node_id);
     application::prepare(&mut bus, vector);
     for (number, exchange) in vector["exchanges"].as_array().unwrap().iter().enumerate() {
         if let Some(request) = text(&exchange["request"]) {

@@ -16,8 +16,18 @@ use crate::{
 /// So many arms stand in one function: Clippy counts its lines.
 const ARMS: usize = 15;
 
-/// The struct, its constructor and the runtime's trait.
+/// The struct, its constructors and the runtime's trait.
 pub(super) fn declaration(plan: &Plan<'_>) -> Vec<SynItem> {
+    let mut items = if plan.stores() { storing() } else { forgetful() };
+    let reads = Dispatch::new(quote!(before_read), plan.reads().map(read_arm));
+    let writes = Dispatch::new(quote!(before_write), plan.writes().map(write_arm));
+    items.push(implementation(plan, &reads, &writes));
+    items.extend(overflow(plan, &reads, &writes));
+    items
+}
+
+/// The struct of a device that stores nothing.
+fn forgetful() -> Vec<SynItem> {
     let device = parse_quote! {
         /// The device: its dictionary, and the application behind it.
         #[derive(Clone, Debug)]
@@ -37,12 +47,42 @@ pub(super) fn declaration(plan: &Plan<'_>) -> Vec<SynItem> {
             }
         }
     };
-    let mut items = vec![device, constructor];
-    let reads = Dispatch::new(quote!(before_read), plan.reads().map(read_arm));
-    let writes = Dispatch::new(quote!(before_write), plan.writes().map(write_arm));
-    items.push(implementation(plan, &reads, &writes));
-    items.extend(overflow(&reads, &writes));
-    items
+    vec![device, constructor]
+}
+
+/// The struct of a device that stores parameters, or what LSS configures.
+fn storing() -> Vec<SynItem> {
+    let device = parse_quote! {
+        /// The device: its dictionary, the application behind it, and the memory that outlives power-off.
+        #[derive(Clone, Debug)]
+        pub struct Device<H, S = lexican_runtime::storage::NoStorage> {
+            /// The dictionary.
+            pub od: Dictionary,
+            /// The application.
+            pub handlers: H,
+            /// The memory.
+            pub storage: S,
+        }
+    };
+    let constructor = parse_quote! {
+        impl<H> Device<H> {
+            /// The device after power-on, without a memory; the node gives it its node-ID.
+            #[must_use]
+            pub const fn new(handlers: H) -> Self {
+                Self::with_storage(handlers, lexican_runtime::storage::NoStorage)
+            }
+        }
+    };
+    let with_storage = parse_quote! {
+        impl<H, S> Device<H, S> {
+            /// The device after power-on; the node gives it its node-ID, and what is stored.
+            #[must_use]
+            pub const fn with_storage(handlers: H, storage: S) -> Self {
+                Self { od: Dictionary::DEFAULTS, handlers, storage }
+            }
+        }
+    };
+    vec![device, constructor, with_storage]
 }
 
 fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynItem {
@@ -53,12 +93,15 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
     let dummy_usage = dummy_usage(pdos.dummy_usage);
     let services = services(plan);
     let bit_rates = bit_rates(plan);
+    let (generics, device) = header(plan);
+    let (storage_type, storage) = storage(plan);
     let read = reads.first(&quote!());
     let write = writes.first(&quote!(value: Value<'_>));
     parse_quote! {
-        impl<H: Handlers> lexican_runtime::Device for Device<H> {
+        impl #generics lexican_runtime::Device for #device {
             type Buffer = [u8; #buffer];
             type Pdos = lexican_runtime::pdo::Pdos<#tpdos, #rpdos, #mapped>;
+            type Storage = #storage_type;
 
             type Watches = [lexican_runtime::heartbeat::Watch; #watches];
 
@@ -90,6 +133,8 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
 
             #bit_rates
 
+            #storage
+
             #[inline]
             fn event(&mut self, event: Event) { self.handlers.event(&mut self.od, event); }
 
@@ -97,6 +142,30 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
             #write
         }
     }
+}
+
+/// The generics of the runtime's trait, and the type that it is implemented for.
+fn header(plan: &Plan<'_>) -> (TokenStream, TokenStream) {
+    if plan.stores() {
+        (
+            quote!(<H: Handlers, S: lexican_runtime::storage::Storage>),
+            quote!(Device<H, S>),
+        )
+    } else {
+        (quote!(<H: Handlers>), quote!(Device<H>))
+    }
+}
+
+/// The type of the memory for what is stored, and how it is reached.
+fn storage(plan: &Plan<'_>) -> (TokenStream, Option<ImplItem>) {
+    if !plan.stores() {
+        return (quote!(lexican_runtime::storage::NoStorage), None);
+    }
+    let access = parse_quote! {
+        #[inline]
+        fn storage(&mut self) -> Option<&mut S> { Some(&mut self.storage) }
+    };
+    (quote!(S), Some(access))
 }
 
 /// The optional services: the objects say which, and DeviceInfo says LSS.
@@ -130,7 +199,7 @@ fn bit_rates(plan: &Plan<'_>) -> Option<ImplItem> {
 }
 
 /// What did not fit into the first function of each kind.
-fn overflow(reads: &Dispatch, writes: &Dispatch) -> Option<SynItem> {
+fn overflow(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> Option<SynItem> {
     let methods: Vec<ImplItem> = reads
         .rest(&quote!())
         .into_iter()
@@ -139,7 +208,8 @@ fn overflow(reads: &Dispatch, writes: &Dispatch) -> Option<SynItem> {
     if methods.is_empty() {
         return None;
     }
-    Some(parse_quote!(impl<H: Handlers> Device<H> { #(#methods)* }))
+    let (generics, device) = header(plan);
+    Some(parse_quote!(impl #generics #device { #(#methods)* }))
 }
 
 /// The choice of a handler by its address.
@@ -174,7 +244,7 @@ impl Dispatch {
         let otherwise = self.otherwise(number, value);
         parse_quote! {
             fn #name(&mut self, address: Address, #value) -> Result<(), AbortCode> {
-                let Self { od, handlers } = self;
+                let Self { od, handlers, .. } = self;
                 match (address.index, address.sub) {
                     #(#arms,)*
                     _ => #otherwise,

@@ -128,6 +128,12 @@ impl<'a> Plan<'a> {
             .then(|| rows.fold(0, |bits, (row, _)| bits | 1 << row))
     }
 
+    /// Whether there is anything to store: parameters (1010h, 1011h), or what LSS configures.
+    pub(crate) fn stores(&self) -> bool {
+        let mut indices = self.dictionary.objects.iter().map(|object| object.index);
+        self.supports_lss() || indices.any(|index| matches!(index, 0x1010 | 0x1011))
+    }
+
     /// Whether the device has the layer setting services.
     pub(crate) fn supports_lss(&self) -> bool {
         self.dictionary.device.lss_supported

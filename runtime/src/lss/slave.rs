@@ -3,6 +3,7 @@
 use super::{BitRate, BitRates};
 use crate::{
     od::{self, Device, Reset},
+    storage::Settings,
     wire::lss::{Bound, FastScan, Part, Request, Response},
     Address, Instant, NodeId,
 };
@@ -85,6 +86,14 @@ impl Slave {
         self.pending.configured()
     }
 
+    /// What is to be stored.
+    pub(crate) const fn settings(&self) -> Settings {
+        Settings {
+            node_id: self.pending,
+            bit_rate: self.pending_bit_rate,
+        }
+    }
+
     /// The bit rate that was configured last.
     #[must_use]
     pub const fn pending_bit_rate(&self) -> Option<BitRate> {
@@ -114,6 +123,11 @@ impl Slave {
     pub(crate) fn set_node_id(&mut self, node_id: NodeId) {
         self.pending = node_id;
         self.persistent = node_id;
+    }
+
+    /// What was pending is stored.
+    pub(crate) fn stored(&mut self) {
+        self.persistent = self.pending;
     }
 
     /// The node is reset; gives the node-ID that is active from now on.

@@ -4,7 +4,7 @@ use super::pending::Pending;
 use crate::{
     emcy, heartbeat,
     od::{Device, ServiceSet, Services, Value},
-    pdo, sync, time, AbortCode, Address,
+    pdo, storage, sync, time, AbortCode, Address,
 };
 
 /// Asks each service that has objects, and notes that they have changed. Not inlined: writes to other objects, the most,
@@ -16,7 +16,7 @@ pub(super) struct Effects<'a, R> {
 
 impl<R: pdo::Room> Services for Effects<'_, R> {
     #[inline(never)]
-    fn before_write<D: Device>(&mut self, device: &D, address: Address, value: Value<'_>) -> Result<(), AbortCode> {
+    fn before_write<D: Device>(&mut self, device: &mut D, address: Address, value: Value<'_>) -> Result<(), AbortCode> {
         let number = value.to_u32();
         if D::SERVICES.has(ServiceSet::EMCY) {
             emcy::before_write(device, address, number)?;
@@ -30,11 +30,21 @@ impl<R: pdo::Room> Services for Effects<'_, R> {
         if D::SERVICES.has(ServiceSet::TIME) {
             time::before_write(device, address, value)?;
         }
-        pdo::before_write(device, address, number)
+        pdo::before_write(device, address, number)?;
+        if D::SERVICES.has(ServiceSet::STORAGE) {
+            storage::before_write(device, address, number)?;
+        }
+        Ok(())
     }
 
     #[inline(never)]
     fn after_write<D: Device>(&mut self, device: &mut D, address: Address) {
+        if D::SERVICES.has(ServiceSet::STORAGE.with(ServiceSet::VERIFY_CONFIGURATION)) {
+            storage::after_write(device, address);
+        }
+        if address.index & 0xF000 != 0x1000 {
+            return;
+        }
         emcy::after_write(device, address);
         self.pdos.mark(address.index);
         self.pending.add(Pending::CONFIGURATION);

@@ -47,7 +47,10 @@ impl<D: Device> Node<D> {
         match self.lss.receive(now, &self.device, self.id, request) {
             Reaction::Nothing => {}
             Reaction::Answer(response) => self.answer(response),
-            Reaction::Store => self.answer(Response::Stored(1)),
+            Reaction::Store => {
+                let code = self.store_settings();
+                self.answer(Response::Stored(code));
+            }
             Reaction::Silence => self.pending.add(Pending::SILENCE),
             Reaction::BootUp => self.obey(NmtCommand::ResetCommunication),
         }

@@ -6,6 +6,7 @@ mod error_control;
 mod exchange;
 mod lss;
 mod pending;
+mod storage;
 
 use dispatch::Service;
 use effects::Effects;
@@ -71,7 +72,7 @@ impl<D: Device> Node<D> {
     }
 
     fn start(mut device: D, node_id: NodeId) -> Self {
-        od::resolve_node_id(&mut device, node_id);
+        let (node_id, bit_rate) = Self::power_on(&mut device, node_id);
         let buffer = device.buffer();
         let mut pdos = pdo::Set::new(&device, device.pdos());
         pdos.reset();
@@ -80,7 +81,7 @@ impl<D: Device> Node<D> {
             device,
             id: node_id,
             nmt: nmt::Slave::new(),
-            lss: Slave::new(node_id, None),
+            lss: Slave::new(node_id, bit_rate),
             emcy: emcy::Producer::new(),
             heartbeat: heartbeat::Producer::new(),
             consumers,
@@ -281,6 +282,7 @@ impl<D: Device> Node<D> {
             self.reset_lss(reset);
         }
         od::restore(&mut self.device, reset, self.id);
+        self.load(reset);
         self.device.event(Event::Reset(reset));
         self.end_transfer();
         self.emcy.reset(&mut self.device);

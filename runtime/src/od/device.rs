@@ -1,7 +1,7 @@
 //! What the services need of a device.
 
 use super::{NumberSet, Part, ServiceSet, Table, Value};
-use crate::{heartbeat::Watch, lss::BitRates, pdo::Room, AbortCode, Address, Event};
+use crate::{heartbeat::Watch, lss::BitRates, pdo::Room, storage::Storage, AbortCode, Address, Event};
 
 /// A device: the dictionary that was generated for it, and the application behind it.
 ///
@@ -18,6 +18,9 @@ pub trait Device {
 
     /// Room for the nodes whose heartbeats are watched, `[Watch; N]`: one for each sub-index of 1016h.
     type Watches: AsRef<[Watch]> + AsMut<[Watch]>;
+
+    /// Memory for what is stored when the power is off: [`NoStorage`](crate::storage::NoStorage) for none.
+    type Storage: Storage;
 
     /// The optional services that it has. All of them unless overridden: then the objects that exist at run time decide.
     const SERVICES: ServiceSet = ServiceSet::ALL;
@@ -50,6 +53,11 @@ pub trait Device {
     /// 0001h, up to bit 7 for 0007h. None unless overridden.
     fn dummy_usage(&self) -> u8 {
         0
+    }
+
+    /// Memory for what is stored when the power is off, if there is any. None unless overridden.
+    fn storage(&mut self) -> Option<&mut Self::Storage> {
+        None
     }
 
     /// The bit rates that LSS may set (`BaudRate_...` of an EDS). All of CiA 305's table unless overridden.

@@ -37,5 +37,5 @@ pub use services::Services;
 pub use table::{bucket_of, lookup_key, place, place_of, Table};
 pub use value::Value;
 pub use values::{set_element, Boolean, OctetString, TimeOfDay, VisibleString};
-pub(crate) use write::store_number;
 pub use write::{capacity, check_length, set, store, writable, write};
+pub(crate) use write::{set_within_limits, store_number};

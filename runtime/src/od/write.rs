@@ -1,6 +1,6 @@
 //! Writing a value: exists? access? length? limits? service? handler? store. The first that says no names the abort code.
 
-use super::{limits, read, Access, Device, Entry, NumberSet, Services, Value};
+use super::{limits, read, Access, Device, Entry, NumberSet, ServiceSet, Services, Value};
 use crate::{AbortCode, Address};
 
 /// Writes `data`, as it came from the bus, to `address`, as a client does.
@@ -101,6 +101,22 @@ pub fn set<D: Device>(device: &mut D, address: Address, data: &[u8]) -> Result<(
     stored.ok_or(AbortCode::INTERNAL_INCOMPATIBILITY)
 }
 
+/// As [`set`], but a number is to be within its limits.
+///
+/// # Errors
+/// As [`set`], and as [`write()`] for a number beyond its limits.
+pub(crate) fn set_within_limits<D: Device>(device: &mut D, address: Address, data: &[u8]) -> Result<(), AbortCode> {
+    if let Some(entry) = device
+        .table()
+        .find(address)
+        .filter(|entry| entry.data_type.length() != 0)
+    {
+        check_length(device, entry, data.len())?;
+        limits::check(device, entry, limits::stored::<D>(entry.data_type, number(data)))?;
+    }
+    set(device, address, data)
+}
+
 /// Writes a number of the right length to `entry`; bits of `bits` beyond that length mean nothing.
 pub(crate) fn store_number<D: Device>(
     device: &mut D,
@@ -164,7 +180,7 @@ fn ask<D: Device>(
 
 /// Tells the services that the value is stored.
 fn tell<D: Device>(device: &mut D, services: &mut impl Services, entry: Entry) {
-    if is_communication(entry) {
+    if is_communication(entry) || D::SERVICES.has(ServiceSet::VERIFY_CONFIGURATION) {
         services.after_write(device, entry.address());
     }
 }

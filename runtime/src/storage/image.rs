@@ -1,0 +1,239 @@
+//! An image in a slot: words ↔ records.
+
+use super::{capabilities, Failed, Slot, Storage};
+use crate::{lss::BitRate, od::Device, Address, NodeId};
+
+/// `Lx`, and the format's version.
+const MAGIC: u32 = 0x0001_784C;
+/// Beyond it no image goes: so an application's mistake cannot keep a reader busy for ever.
+const LIMIT: usize = 0x4_0000;
+
+/// Where the record of LSS stands; no object has this index.
+pub(super) const SETTINGS: Address = Address::new(0x0001, 0x00);
+/// Ends the records; no object has this index.
+const END: Address = Address::new(0x0000, 0x00);
+
+/// What LSS stores.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Settings {
+    pub(crate) node_id: NodeId,
+    pub(crate) bit_rate: Option<BitRate>,
+}
+
+impl Settings {
+    /// As the bytes of its record.
+    pub(super) fn bytes(self) -> [u8; 2] {
+        [self.node_id.get(), self.bit_rate.map_or(0xFF, BitRate::index)]
+    }
+}
+
+/// A whole image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Image {
+    pub(super) slot: Slot,
+    sequence: u32,
+}
+
+/// The beginning of a record; its value follows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Record {
+    pub(super) address: Address,
+    pub(super) length: usize,
+}
+
+impl Record {
+    /// Bytes before the value.
+    pub(super) const HEAD: usize = 5;
+    /// Bytes of an image that are no records: its head, its end, its check value, and what fills the last word.
+    pub(super) const AROUND: usize = 8 + Self::HEAD + 4 + 7;
+
+    /// Whether no more follow.
+    pub(super) fn is_end(&self) -> bool {
+        self.address == END
+    }
+}
+
+/// The newest whole image.
+pub(crate) fn newest<D: Device>(device: &mut D) -> Option<Image> {
+    if capabilities(device) == 0 {
+        return None;
+    }
+    let storage = device.storage()?;
+    let [a, b] = [Slot::A, Slot::B].map(|slot| whole(storage, slot));
+    match (a, b) {
+        (Some(a), Some(b)) => {
+            // The numbers may have wrapped.
+            let is_a = a.sequence.wrapping_sub(b.sequence) < 0x8000_0000;
+            Some(if is_a { a } else { b })
+        }
+        (a, b) => a.or(b),
+    }
+}
+
+/// The image in `slot`, if it is whole.
+fn whole<S: Storage>(storage: &mut S, slot: Slot) -> Option<Image> {
+    let mut reader = Reader::new(slot);
+    if reader.number(storage, 4)? != MAGIC {
+        return None;
+    }
+    let sequence = reader.number(storage, 4)?;
+    loop {
+        let record = reader.record(storage)?;
+        if record.is_end() {
+            break;
+        }
+        for _ in 0..record.length {
+            reader.byte(storage)?;
+        }
+    }
+    let check = reader.check;
+    let is_whole = reader.number(storage, 4)? == !check;
+    is_whole.then_some(Image { slot, sequence })
+}
+
+/// Reads a slot from its beginning on.
+pub(super) struct Reader {
+    slot: Slot,
+    offset: usize,
+    word: [u8; 8],
+    check: u32,
+}
+
+impl Reader {
+    fn new(slot: Slot) -> Self {
+        Self {
+            slot,
+            offset: 0,
+            word: [0; 8],
+            check: CRC_START,
+        }
+    }
+
+    /// Reads the records of a whole image.
+    pub(super) fn of(image: Image) -> Self {
+        Self {
+            offset: 8,
+            ..Self::new(image.slot)
+        }
+    }
+
+    pub(super) fn byte<S: Storage>(&mut self, storage: &mut S) -> Option<u8> {
+        let nth = self.offset % 8;
+        if nth == 0 {
+            self.word = storage.read(self.slot, self.offset).ok()?;
+        }
+        let byte = self.word.get(nth).copied().filter(|_| self.offset < LIMIT)?;
+        self.offset += 1;
+        self.check = crc(self.check, byte);
+        Some(byte)
+    }
+
+    fn number<S: Storage>(&mut self, storage: &mut S, bytes: u32) -> Option<u32> {
+        let mut number = 0;
+        for nth in 0..bytes {
+            number |= u32::from(self.byte(storage)?) << (8 * nth);
+        }
+        Some(number)
+    }
+
+    /// The next record, the last of which [`Record::is_end`]; `None` when it cannot be read.
+    #[allow(clippy::cast_possible_truncation)] // So many bytes are read.
+    pub(super) fn record<S: Storage>(&mut self, storage: &mut S) -> Option<Record> {
+        let index = self.number(storage, 2)? as u16;
+        let sub = self.number(storage, 1)? as u8;
+        let length = self.number(storage, 2)? as usize;
+        let address = Address::new(index, sub);
+        Some(Record { address, length })
+    }
+}
+
+/// Writes a new image.
+pub(super) struct Writer {
+    image: Image,
+    offset: usize,
+    word: [u8; 8],
+    check: u32,
+}
+
+impl Writer {
+    /// Begins the image that takes the place of `old`, in the other slot.
+    pub(super) fn begin<S: Storage>(storage: &mut S, old: Option<Image>) -> Result<Self, Failed> {
+        let image = Image {
+            slot: old.map_or(Slot::A, |old| old.slot.other()),
+            sequence: old.map_or(0, |old| old.sequence.wrapping_add(1)),
+        };
+        let mut writer = Self {
+            image,
+            offset: 0,
+            word: [0; 8],
+            check: CRC_START,
+        };
+        storage.erase(image.slot)?;
+        writer.number(storage, MAGIC, 4)?;
+        writer.number(storage, image.sequence, 4)?;
+        Ok(writer)
+    }
+
+    pub(super) fn byte<S: Storage>(&mut self, storage: &mut S, byte: u8) -> Result<(), Failed> {
+        if let Some(place) = self.word.get_mut(self.offset % 8) {
+            *place = byte;
+        }
+        self.check = crc(self.check, byte);
+        self.offset += 1;
+        if self.offset % 8 == 0 {
+            storage.write(self.image.slot, self.offset - 8, self.word)?;
+        }
+        Ok(())
+    }
+
+    fn number<S: Storage>(&mut self, storage: &mut S, number: u32, bytes: usize) -> Result<(), Failed> {
+        let number = number.to_le_bytes();
+        number.iter().take(bytes).try_for_each(|byte| self.byte(storage, *byte))
+    }
+
+    /// Begins a record; its value, of `length` bytes, is to follow.
+    #[allow(clippy::cast_possible_truncation)] // A dictionary has 64 KiB of values.
+    pub(super) fn record<S: Storage>(
+        &mut self,
+        storage: &mut S,
+        address: Address,
+        length: usize,
+    ) -> Result<(), Failed> {
+        self.number(storage, u32::from(address.index), 2)?;
+        self.number(storage, u32::from(address.sub), 1)?;
+        self.number(storage, length as u32, 2)
+    }
+
+    /// Ends the image, and gives it.
+    pub(super) fn end<S: Storage>(mut self, storage: &mut S) -> Result<Image, Failed> {
+        self.record(storage, END, 0)?;
+        self.number(storage, !self.check, 4)?;
+        while self.offset % 8 != 0 {
+            self.byte(storage, 0xFF)?;
+        }
+        storage.finish(self.image.slot)?;
+        Ok(self.image)
+    }
+}
+
+const CRC_START: u32 = 0xFFFF_FFFF;
+
+/// CRC-32 (ISO 3309), a bit at a time: a table would take more flash than it saves time.
+fn crc(check: u32, byte: u8) -> u32 {
+    (0..8).fold(check ^ u32::from(byte), |check, _| {
+        check >> 1 ^ if check & 1 == 0 { 0 } else { 0xEDB8_8320 }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{crc, CRC_START};
+
+    #[test]
+    fn the_check_value_is_that_of_iso_3309() {
+        assert_eq!(
+            !b"123456789".iter().fold(CRC_START, |check, byte| crc(check, *byte)),
+            0xCBF4_3926
+        );
+    }
+}
