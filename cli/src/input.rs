@@ -55,7 +55,8 @@ fn read_stdin() -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// What `path` stands for: itself, or the EDS and DCF files in it and below, by name.
+/// What `path` stands for: itself, or the EDS and DCF files in it and below, by name. What is below `.` is called without it, as
+/// the editors and services that read our output call it.
 pub(crate) fn expand(path: &Path) -> Result<Vec<Input>, Failure> {
     if !path.is_dir() {
         return Ok(vec![Input::new(path)]);
@@ -64,7 +65,8 @@ pub(crate) fn expand(path: &Path) -> Result<Vec<Input>, Failure> {
     for entry in WalkDir::new(path).follow_links(true).sort_by_file_name() {
         let entry = entry.map_err(|error| unwalkable(path, &error))?;
         if is_description(&entry) {
-            files.push(Input::File(entry.into_path()));
+            let path = entry.path();
+            files.push(Input::File(path.strip_prefix(".").unwrap_or(path).to_owned()));
         }
     }
     if files.is_empty() {
