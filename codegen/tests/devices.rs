@@ -34,6 +34,11 @@ fn show_difference(reviewed: &str, source: &str) {
 }
 
 #[test]
+fn multiplexed() {
+    check("tests/fixtures/codegen/multiplexed.eds", |builder| builder);
+}
+
+#[test]
 fn wdga() {
     check("eds/devices/wdga.eds", |builder| builder);
 }

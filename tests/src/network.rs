@@ -1,7 +1,7 @@
 //! A simulated node with every object of EMCY, SYNC and PDO, for the tests of those services.
 
 use lexican_runtime::{
-    Address,
+    Address, Device,
     od::{Access, DataType},
 };
 
@@ -109,7 +109,7 @@ fn pdo(index: u16, cob_id: u64, transmission_type: u64, mapped: &[u64], room: u8
 ///
 /// # Panics
 /// When it has not one to four bytes.
-pub fn write<'a>(bus: &'a mut Bus<Simulated>, index: u16, sub: u8, value: &[u8]) -> &'a mut Bus<Simulated> {
+pub fn write<'a, D: Device>(bus: &'a mut Bus<D>, index: u16, sub: u8, value: &[u8]) -> &'a mut Bus<D> {
     let command = 0x2F - 4 * (u8::try_from(value.len()).expect("1 to 4 bytes") - 1);
     let [low, high] = index.to_le_bytes();
     let mut data = [command, low, high, sub, 0, 0, 0, 0];
@@ -122,7 +122,7 @@ pub fn write<'a>(bus: &'a mut Bus<Simulated>, index: u16, sub: u8, value: &[u8])
 /// # Panics
 /// When it does not.
 #[track_caller]
-pub fn set<'a>(bus: &'a mut Bus<Simulated>, index: u16, sub: u8, value: &[u8]) -> &'a mut Bus<Simulated> {
+pub fn set<'a, D: Device>(bus: &'a mut Bus<D>, index: u16, sub: u8, value: &[u8]) -> &'a mut Bus<D> {
     write(bus, index, sub, value).expect("581#60..")
 }
 
@@ -131,12 +131,7 @@ pub fn set<'a>(bus: &'a mut Bus<Simulated>, index: u16, sub: u8, value: &[u8]) -
 /// # Panics
 /// When it answers something else.
 #[track_caller]
-pub fn refuse<'a>(
-    bus: &'a mut Bus<Simulated>,
-    (index, sub): (u16, u8),
-    value: &[u8],
-    code: u32,
-) -> &'a mut Bus<Simulated> {
+pub fn refuse<'a, D: Device>(bus: &'a mut Bus<D>, (index, sub): (u16, u8), value: &[u8], code: u32) -> &'a mut Bus<D> {
     let [low, high] = index.to_le_bytes();
     let abort = [&[0x80, low, high, sub][..], &code.to_le_bytes()].concat();
     write(bus, index, sub, value).expect(&format!("581#{}", line::hex(&abort)))

@@ -168,13 +168,11 @@ fn storage(plan: &Plan<'_>) -> (TokenStream, Option<ImplItem>) {
     (quote!(S), Some(access))
 }
 
-/// The optional services: the objects say which, and DeviceInfo says LSS.
+/// The optional services: the objects say which, and DeviceInfo says LSS and multiplexed PDOs.
 fn services(plan: &Plan<'_>) -> Expr {
-    if plan.supports_lss() {
-        parse_quote!(ServiceSet::of(&ROWS).with(ServiceSet::LSS))
-    } else {
-        parse_quote!(ServiceSet::of(&ROWS))
-    }
+    let lss = plan.supports_lss().then(|| quote!(.with(ServiceSet::LSS)));
+    let mpdo = plan.has_multiplexed_pdos().then(|| quote!(.with(ServiceSet::MPDO)));
+    parse_quote!(ServiceSet::of(&ROWS) #lss #mpdo)
 }
 
 /// Which dummy entries an RPDO may have; the runtime takes none for granted.

@@ -134,6 +134,11 @@ impl<'a> Plan<'a> {
         self.supports_lss() || indices.any(|index| matches!(index, 0x1010 | 0x1011))
     }
 
+    /// Whether PDOs may say themselves which object they carry.
+    pub(crate) fn has_multiplexed_pdos(&self) -> bool {
+        self.dictionary.device.group_messaging
+    }
+
     /// Whether the device has the layer setting services.
     pub(crate) fn supports_lss(&self) -> bool {
         self.dictionary.device.lss_supported

@@ -5,7 +5,7 @@ use crate::{
     od::{Device, ServiceSet},
     sync, time,
     wire::{emcy::Emergency, nmt::NmtState, Frame},
-    Address, Event, Instant,
+    Address, Event, Instant, NodeId,
 };
 
 impl<D: Device> Node<D> {
@@ -20,11 +20,32 @@ impl<D: Device> Node<D> {
         is_triggered
     }
 
-    /// As [`Node::trigger_tpdo`], of all TPDOs that carry the object at `address`; `false` when none is sent.
+    /// As [`Node::trigger_tpdo`], of all TPDOs that carry the object at `address`, and of the multiplexed one if a scanner list
+    /// (1FA0h to 1FCFh) has it; `false` when none is sent.
     pub fn object_changed(&mut self, address: Address) -> bool {
-        let is_triggered = self.nmt.exchanges_pdos() && self.pdos.object_changed(&self.device, address);
+        if !self.nmt.exchanges_pdos() {
+            return false;
+        }
+        let mut is_triggered = self.pdos.object_changed(&self.device, address);
+        if D::SERVICES.has(ServiceSet::MPDO) {
+            is_triggered |= self.pdos.scan(&mut self.device, self.id, address);
+        }
         self.tell_pdos(is_triggered);
         is_triggered
+    }
+
+    /// Sends `value` to the object at `address` of `receiver`, or of all nodes, in the multiplexed TPDO with destination
+    /// addressing: the first one whose mapping has FFh in sub-index 0 (CiA 301, 7.2.2.4). A value of fewer than four bytes
+    /// stands in the low ones.
+    ///
+    /// `false`, and nothing is sent, when the node is not OPERATIONAL, there is no such TPDO or it is not valid, or the value
+    /// before this one still waits.
+    pub fn send_multiplexed(&mut self, receiver: Option<NodeId>, address: Address, value: u32) -> bool {
+        let is_sent = D::SERVICES.has(ServiceSet::MPDO)
+            && self.nmt.exchanges_pdos()
+            && self.pdos.send_to(&self.device, receiver, address, value);
+        self.tell_pdos(is_sent);
+        is_sent
     }
 
     /// Takes a frame that may be SYNC, an RPDO, or a request for a TPDO; in OPERATIONAL only.
@@ -47,7 +68,7 @@ impl<D: Device> Node<D> {
         match frame.data_id() {
             Some(id) if Some(id) == self.sync_consumer.id() => self.receive_sync(now, frame),
             Some(id) => {
-                if self.pdos.receive(now, &mut self.device, id, frame) {
+                if self.pdos.receive(now, &mut self.device, self.id, id, frame) {
                     self.report_faults();
                     self.schedule();
                 }

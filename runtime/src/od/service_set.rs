@@ -2,7 +2,8 @@
 
 use super::{Access, Row};
 
-/// A set of optional services: those that a dictionary has objects for, and LSS, which has none.
+/// A set of optional services: those that a dictionary has objects for, and LSS and multiplexed PDOs, which have
+/// none.
 ///
 /// A generated device says its own in [`Device::SERVICES`](super::Device::SERVICES): a constant, so that a service that
 /// is not in it is not compiled in.
@@ -42,7 +43,9 @@ impl ServiceSet {
     pub const PARTS: Self = Self(0x2000);
     /// SYNC, produced: 1006h.
     pub const SYNC_PRODUCER: Self = Self(0x4000);
-    /// All of them, for a device whose dictionary is known at run time only.
+    /// Multiplexed PDOs: no object says so, but `GroupMessaging` of an EDS.
+    pub const MPDO: Self = Self(0x8000);
+    /// All but multiplexed PDOs, for a device whose dictionary is known at run time only: its objects decide then.
     pub const ALL: Self = Self(0x7FFF);
 
     /// The services that a table of these rows has objects for.

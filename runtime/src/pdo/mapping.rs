@@ -1,8 +1,8 @@
 //! Which objects a PDO carries: entries as a client writes them, and what is kept of them.
 
-use super::{parameter_u8, Direction};
+use super::{mpdo, parameter_u8, Direction};
 use crate::{
-    od::{self, Access, DataType, Device, Entry},
+    od::{self, Access, DataType, Device, Entry, ServiceSet},
     AbortCode, Address,
 };
 
@@ -161,14 +161,28 @@ impl Mapping {
     }
 
     /// Whether it has objects.
-    pub(super) const fn is_active(self) -> bool {
+    pub(super) const fn has_objects(self) -> bool {
         self.count != 0
+    }
+
+    /// Whether it has objects, or each PDO says its own.
+    pub(super) const fn is_active(self) -> bool {
+        self.bits != 0
+    }
+
+    /// Whether each PDO says itself which object it carries.
+    pub(super) fn is_multiplexed<D: Device>(self) -> bool {
+        D::SERVICES.has(ServiceSet::MPDO) && !self.has_objects() && self.is_active()
     }
 
     /// Takes what the parameter at `index` says; if that cannot be mapped, nothing is.
     pub(super) fn configure<D: Device>(&mut self, device: &D, direction: Direction, index: u16, pool: &mut [Mapped]) {
         (self.count, self.bits) = (0, 0);
         let count = parameter_u8(device, index, 0);
+        if D::SERVICES.has(ServiceSet::MPDO) && mpdo::is_multiplexed(count.into()) {
+            self.bits = PDO_BITS;
+            return;
+        }
         let pool = pool.get_mut(usize::from(self.first)..).unwrap_or_default();
         if let Ok(bits) = resolve(device, direction, index, count.into(), pool) {
             (self.count, self.bits) = (count, bits);

@@ -27,6 +27,7 @@
 //!   [`Node::device_mut`](crate::Node::device_mut) takes effect after the next reset.
 
 mod mapping;
+mod mpdo;
 mod parameter;
 mod room;
 mod rpdo;

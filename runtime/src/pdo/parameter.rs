@@ -1,8 +1,8 @@
 //! What a client may write to the parameters of PDOs.
 
-use super::{cob_id, mapping, parameter, sub, Direction, Mapped};
+use super::{cob_id, mapping, mpdo, parameter, sub, Direction, Mapped};
 use crate::{
-    od::{self, Device},
+    od::{self, Device, ServiceSet},
     wire::CobId,
     AbortCode, Address,
 };
@@ -86,6 +86,7 @@ fn before_mapping<D: Device>(
         return Err(AbortCode::UNSUPPORTED_ACCESS);
     }
     match (sub, value) {
+        (0, count) if D::SERVICES.has(ServiceSet::MPDO) && mpdo::is_multiplexed(count) => Ok(()),
         (0, count) => mapping::resolve(device, direction, index, count, &mut []).map(|_| ()),
         // No object: an entry that is not used.
         (_, 0) => Ok(()),

@@ -1,10 +1,10 @@
 //! A PDO that this node receives.
 
-use super::{cob_id, mapping::Mapping, parameter, parameter_u8, sub, Direction, Mapped};
+use super::{cob_id, mapping::Mapping, mpdo, parameter, parameter_u8, sub, Direction, Mapped};
 use crate::{
     od::Device,
     wire::{CanId, Frame},
-    Instant,
+    Instant, NodeId,
 };
 
 /// The last transmission type that takes effect with SYNC.
@@ -109,6 +109,17 @@ impl Rpdo {
         self.is_short = false;
         self.is_late = false;
         self.event_due = Instant::NEVER;
+    }
+
+    /// A multiplexed PDO came.
+    pub(super) fn receive_multiplexed<D: Device>(&self, device: &mut D, node_id: NodeId, frame: &Frame) {
+        let count = parameter_u8(device, Direction::Receive.mapping(self.number), 0);
+        mpdo::receive(device, node_id, count, frame.word());
+    }
+
+    /// Whether each says itself which object it carries.
+    pub(super) fn is_multiplexed<D: Device>(&self) -> bool {
+        self.mapping.is_multiplexed::<D>()
     }
 
     /// The PDO came at `now`.

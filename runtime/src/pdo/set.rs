@@ -1,10 +1,10 @@
 //! All PDOs of a device.
 
-use super::{sub, Direction, Parts, Room, Rpdo, Tpdo};
+use super::{mpdo, sub, Direction, Parts, Room, Rpdo, Tpdo};
 use crate::{
-    od::Device,
+    od::{self, Device, Value},
     wire::{CanId, Frame},
-    Address, Instant,
+    Address, Instant, NodeId,
 };
 
 /// The PDOs of a device, in the room that it has for them.
@@ -116,13 +116,24 @@ impl<R: Room> Set<R> {
         is_requested
     }
 
-    /// Takes `frame` if it is an RPDO; says so.
-    pub fn receive<D: Device>(&mut self, now: Instant, device: &mut D, id: CanId, frame: &Frame) -> bool {
+    /// Takes `frame` if it is an RPDO; says so. `node_id` is this node's.
+    pub fn receive<D: Device>(
+        &mut self,
+        now: Instant,
+        device: &mut D,
+        node_id: NodeId,
+        id: CanId,
+        frame: &Frame,
+    ) -> bool {
         let Parts { rpdos, mapped, .. } = self.room.parts();
         let Some(rpdo) = rpdos.iter_mut().find(|rpdo| rpdo.id() == Some(id)) else {
             return false;
         };
-        if now <= self.window || !rpdo.is_synchronous() {
+        if rpdo.is_multiplexed::<D>() {
+            if frame.full_data().is_some() {
+                rpdo.receive_multiplexed(device, node_id, frame);
+            }
+        } else if now <= self.window || !rpdo.is_synchronous() {
             rpdo.receive(now, device, mapped, frame);
             self.due = self.due.min(rpdo.due());
         }
@@ -141,6 +152,37 @@ impl<R: Room> Set<R> {
     /// no events.
     pub fn trigger(&mut self, number: u16) -> bool {
         self.first(|tpdo| tpdo.number() == number).is_some_and(Tpdo::trigger)
+    }
+
+    /// A value for the object at `address` of `receiver`, or of all nodes, to be sent in a multiplexed PDO. `false` when there is
+    /// no valid one with destination addressing, or it still has another value to send.
+    pub fn send_to<D: Device>(&mut self, device: &D, receiver: Option<NodeId>, address: Address, value: u32) -> bool {
+        self.multiplex(
+            device,
+            mpdo::DESTINATION,
+            mpdo::to_destination(receiver, address, value),
+        )
+    }
+
+    /// The object at `address` has changed: if a scanner list has it, it is sent in the multiplexed PDO with source
+    /// addressing. `false` when it is not, or when that PDO still has another value to send.
+    pub fn scan<D: Device>(&mut self, device: &mut D, node_id: NodeId, address: Address) -> bool {
+        if !mpdo::is_scanned(device, address) {
+            return false;
+        }
+        match od::read(device, address) {
+            Ok(Value::Number { bits, data_type }) if data_type.length() <= 4 => {
+                let value = mpdo::from_source(node_id, address, Value::Number { bits, data_type }.to_u32());
+                self.multiplex(device, mpdo::SOURCE, value)
+            }
+            _ => false,
+        }
+    }
+
+    fn multiplex<D: Device>(&mut self, device: &D, count: u8, word: u64) -> bool {
+        let Parts { tpdos, .. } = self.room.parts();
+        let mut tpdos = tpdos.iter_mut().filter(|tpdo| tpdo.is_multiplexed(device, count));
+        tpdos.next().is_some_and(|tpdo| tpdo.multiplex(word))
     }
 
     /// An event for all TPDOs that carry the object at `address`. `false` when there is none.

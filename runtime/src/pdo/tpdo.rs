@@ -114,6 +114,10 @@ impl Tpdo {
         self.sync_start_value = parameter_u8(device, index, sub::SYNC_START_VALUE);
         self.inhibit_time = parameter(device, index, sub::INHIBIT_TIME);
         self.event_timer = parameter(device, index, sub::EVENT_TIMER);
+        if self.mapping.is_multiplexed::<D>() {
+            // It is sent when there is a value to send, and then only.
+            (self.transmission_type, self.event_timer, self.allows_rtr) = (EVENT_DRIVEN, 0, false);
+        }
         true
     }
 
@@ -166,10 +170,25 @@ impl Tpdo {
         is_last
     }
 
+    /// Whether it is valid, and each says itself which object it carries, in the way of `count`.
+    pub(super) fn is_multiplexed<D: Device>(&self, device: &D, count: u8) -> bool {
+        let index = Direction::Transmit.mapping(self.number);
+        self.mapping.is_multiplexed::<D>() && self.id.is_some() && parameter_u8(device, index, 0) == count
+    }
+
+    /// Of a multiplexed one: these eight bytes are to be sent. `false` while others are.
+    pub(super) fn multiplex(&mut self, word: u64) -> bool {
+        let is_free = !self.is_requested;
+        if is_free {
+            (self.sample, self.is_requested) = (word, true);
+        }
+        is_free
+    }
+
     /// An event: it is to be sent, at once or with the next SYNC. `false` for a type without events.
     pub(super) fn trigger(&mut self) -> bool {
         match self.transmission_type {
-            _ if self.id.is_none() => return false,
+            _ if self.id.is_none() || !self.mapping.has_objects() => return false,
             ACYCLIC => self.has_event = true,
             EVENT_DRIVEN..=u8::MAX => self.is_requested = true,
             _ => return false,
@@ -207,6 +226,7 @@ impl Tpdo {
         self.is_requested = false;
         let word = match self.transmission_type {
             RTR_SYNCHRONOUS => self.sample,
+            _ if self.mapping.is_multiplexed::<D>() => self.sample,
             _ => self.mapping.collect(device, pool),
         };
         if self.transmission_type >= EVENT_DRIVEN {
