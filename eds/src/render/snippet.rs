@@ -18,6 +18,9 @@ pub(super) struct Snippet<'a> {
     marks: Vec<Mark<'a>>,
 }
 
+/// As many related places are shown; a finding can have hundreds, and says then how many in its message.
+const MOST_RELATED: usize = 3;
+
 /// A place in the file that is underlined.
 struct Mark<'a> {
     /// Counted from 1.
@@ -38,11 +41,11 @@ enum Kind {
 }
 
 impl<'a> Snippet<'a> {
-    /// The header of the section, the primary place and the related ones, in the order of the file. Empty for a finding about the file as a whole.
+    /// The header of the section, the primary place and the first related ones, in the order of the file. Empty for a finding about the file as a whole.
     pub(super) fn new(source: &'a Source, diagnostic: &'a Diagnostic) -> Self {
         let label = diagnostic.label.as_deref().unwrap_or_default();
         let primary = (!diagnostic.about_file()).then(|| mark(source, diagnostic.span, Kind::Primary, label));
-        let related = diagnostic.related.iter();
+        let related = diagnostic.related.iter().take(MOST_RELATED);
         let related = related.map(|related| mark(source, related.span, Kind::Related, &related.label));
         let section = diagnostic.section.map(|header| mark(source, header, Kind::Section, ""));
         let mut marks: Vec<Mark> = primary.into_iter().chain(related).chain(section).collect();

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::{Family, Fixable, Rule, all, canchkeds, families};
+use super::{Family, Fixable, Rule, all, canchkeds, families, real_files};
 
 /// One rule's page: what `lexican explain CODE` prints.
 #[must_use]
@@ -36,6 +36,7 @@ pub fn manual() -> String {
     for family in families() {
         text.push_str(&table(family));
     }
+    text.push_str(&real_files::section());
     text.push_str(&canchkeds::table());
     for rule in all() {
         let _ = write!(text, "\n{}", below(&page(rule)));
@@ -58,16 +59,19 @@ the fact that the finding is about, and nothing is lost. `--diff` shows what it 
 
 fn table(family: &Family) -> String {
     let mut text = format!("\n## {}: {}\n\n", family.letters, family.title);
-    text.push_str("| code | allow … | level | fix | what it does |\n|---|---|---|---|---|\n");
+    text.push_str("| code | allow … | level | fix | files | what it does |\n|---|---|---|---|---|---|\n");
     for rule in all().iter().filter(|rule| rule.code().family() == family.letters) {
         let (code, name, level, summary) = (rule.code(), rule.name(), rule.level(), rule.summary());
-        let anchor = anchor(rule);
+        let (anchor, files) = (anchor(rule), real_files::files(rule));
         let fix = match rule.fixable() {
             Fixable::Never => "",
             Fixable::Sometimes => "sometimes",
             Fixable::Always => "always",
         };
-        let _ = writeln!(text, "| [{code}](#{anchor}) | {name} | {level} | {fix} | {summary} |");
+        let _ = writeln!(
+            text,
+            "| [{code}](#{anchor}) | {name} | {level} | {fix} | {files} | {summary} |"
+        );
     }
     text
 }

@@ -27,6 +27,7 @@ mod manual;
 mod obj;
 mod pdo;
 mod quote;
+mod real_files;
 mod registry;
 mod report;
 mod rule;
@@ -35,6 +36,7 @@ mod unusual;
 use allowance::Allowances;
 pub use levels::{LevelChange, LevelChangeError, Levels, UnknownRule};
 pub use manual::{anchor, manual, page};
+pub use real_files::{Hits, number_of_real_files, real_files};
 pub use registry::{Family, all, families, find};
 pub use rule::{Fixable, Rule};
 
@@ -46,7 +48,7 @@ use crate::{
     ir::{Address, Dictionary, Value},
     span::Span,
 };
-pub(crate) use quote::{quoted, similar};
+pub(crate) use quote::{more, quoted, similar};
 pub(crate) use report::Report;
 pub(crate) use rule::{
     AllowanceRule, DictionaryRule, DocumentRule, DumpRule, EncoderRule, ModelRule, ReadingRule, declare_rule,

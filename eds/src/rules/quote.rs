@@ -9,6 +9,14 @@ pub(crate) fn quoted(text: &str) -> String {
     }
 }
 
+/// What a finding that stands for several says at the end.
+pub(crate) fn more(number: usize) -> String {
+    match number {
+        0 => String::new(),
+        number => format!(" (and {number} more)"),
+    }
+}
+
 /// The one of `candidates` that `text` was probably meant to be.
 pub(crate) fn similar<'a>(text: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let text = text.to_ascii_lowercase();

@@ -1,10 +1,9 @@
-use super::words::more;
 use crate::{
     diagnostic::Level,
     fix::{Change, Fix},
     literal::Note,
     model::{Eds, Expected},
-    rules::{ModelRule, Report, Unusual, declare_rule, unusual},
+    rules::{ModelRule, Report, Unusual, declare_rule, more, unusual},
 };
 
 declare_rule! {

@@ -5,14 +5,6 @@ use crate::{ir::DataType, literal::Fault};
 /// Data types from here on are the vendor's or a profile's (CiA 301, data types).
 pub(super) const FIRST_OF_VENDORS: u16 = 0x40;
 
-/// What a finding that stands for several says at the end.
-pub(super) fn more(number: usize) -> String {
-    match number {
-        0 => String::new(),
-        number => format!(" (and {number} more)"),
-    }
-}
-
 /// Why a text is no value of `data_type`, and what to write.
 pub(super) fn unreadable(fault: Fault, data_type: DataType) -> (String, String) {
     let name = data_type.name();

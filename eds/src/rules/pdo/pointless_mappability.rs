@@ -2,7 +2,7 @@ use super::mapped::kind;
 use crate::{
     diagnostic::Level,
     ir::{AccessType, Dictionary, Direction, Entry},
-    rules::{DictionaryRule, Report, declare_rule},
+    rules::{DictionaryRule, Report, declare_rule, more},
 };
 
 declare_rule! {
@@ -44,15 +44,11 @@ impl DictionaryRule for PointlessMappability {
             let fits = |entry: &&Entry| entry.pdo_mapping && only_way(entry) == Some(direction);
             let mut mappable = dictionary.entries().filter(fits);
             if let Some(first) = mappable.next() {
-                let (address, kind, others) = (first.address, kind(direction), mappable.count());
-                let others = match others {
-                    0 => String::new(),
-                    others => format!(" (and {others} more)"),
-                };
+                let (address, kind, more) = (first.address, kind(direction), more(mappable.count()));
                 report
                     .at(
                         first.spans.pdo_mapping,
-                        format!("{address} may be mapped, but the device has no {kind}{others}"),
+                        format!("{address} may be mapped, but the device has no {kind}{more}"),
                     )
                     .help(format!("write `PDOMapping=0`, or describe a {kind}"));
             }

@@ -4,12 +4,13 @@ use super::mapped::all_mapped;
 use crate::{
     diagnostic::Level,
     ir::{AccessType, Address, Dictionary, Entry},
-    rules::{DictionaryRule, Report, declare_rule},
+    rules::{DictionaryRule, Report, declare_rule, more},
 };
 
 declare_rule! {
     /// ## What it does
-    /// Finds mappable objects with access type rw that are in no PDO: whether a TPDO reads them or an RPDO writes them is not said.
+    /// Finds mappable objects with access type rw that are in no PDO: whether a TPDO reads them or an RPDO writes them is not
+    /// said. One finding for a file; SARIF and JSON name all the places.
     ///
     /// ## Why it matters
     /// Tools that connect the PDOs of devices offer the object for both directions. For a process input there is rwr, for an
@@ -39,14 +40,20 @@ declare_rule! {
 impl DictionaryRule for UndirectedObject {
     fn check(dictionary: &Dictionary, report: &mut Report) {
         let mapped: BTreeSet<Address> = all_mapped(dictionary).map(|mapped| mapped.address).collect();
-        let mut last = None;
-        for entry in dictionary.entries().filter(|entry| is_undirected(entry)) {
-            let (address, at) = (entry.address, entry.spans.access);
-            // In the compact form one line stands for many.
-            if !mapped.contains(&address) && last.replace(at) != Some(at) {
-                report
-                    .at(at, format!("{address} may be mapped, but rw gives it no direction"))
-                    .help("write `rwr` for a TPDO, `rww` for an RPDO");
+        let mut undirected: Vec<&Entry> = dictionary.entries().filter(|entry| is_undirected(entry)).collect();
+        undirected.retain(|entry| !mapped.contains(&entry.address));
+        // In the compact form one line stands for many.
+        undirected.dedup_by_key(|entry| entry.spans.access);
+        // An editor that does not know rwr and rww writes all objects so: one finding, with all the places.
+        if let Some((first, others)) = undirected.split_first() {
+            let (address, more) = (first.address, more(others.len()));
+            let finding = report.at(
+                first.spans.access,
+                format!("{address} may be mapped, but rw gives it no direction{more}"),
+            );
+            finding.help("write `rwr` for a TPDO, `rww` for an RPDO");
+            for other in others {
+                finding.related(other.spans.access, other.address.to_string());
             }
         }
     }
