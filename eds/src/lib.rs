@@ -6,6 +6,7 @@
 //! and the rules turn problems into diagnostics.
 
 pub mod diagnostic;
+pub mod diff;
 pub mod document;
 pub mod dump;
 pub mod fix;

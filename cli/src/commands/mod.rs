@@ -2,6 +2,7 @@
 
 mod check;
 mod completions;
+mod diff;
 mod differences;
 mod explain;
 mod fix;
@@ -18,6 +19,7 @@ use crate::{Verdict, failure::Failure};
 #[derive(Subcommand)]
 pub(crate) enum Command {
     Check(check::Check),
+    Diff(diff::Diff),
     Explain(explain::Explain),
     Generate(generate::Generate),
     Validate(validate::Validate),
@@ -34,6 +36,7 @@ impl Command {
     pub(crate) fn run(self) -> Result<Verdict, Failure> {
         match self {
             Self::Check(check) => check.run(),
+            Self::Diff(diff) => diff.run(),
             Self::Explain(explain) => explain.run(),
             Self::Generate(generate) => generate.run(),
             Self::Validate(validate) => validate.run(),
