@@ -51,6 +51,47 @@ pub fn sync_all<F>(n: u32, mut exchange: impl FnMut(u16, &[u8]) -> Option<F>) {
     }
 }
 
+#[allow(dead_code, reason = "not all stacks have block transfer")]
+/// Reads 2101h, 4 KiB, in blocks of 127 segments, `n` times over. `send` gives the stack a request, `next` takes a frame
+/// that it sends.
+pub fn block_upload_all<F>(
+    n: u32,
+    data: impl Fn(&F) -> [u8; 8],
+    mut send: impl FnMut(u16, [u8; 8]),
+    mut next: impl FnMut() -> Option<F>,
+) {
+    for _ in 0..n {
+        send(black_box(0x610), [0xA4, 0x01, 0x21, 0, 127, 0, 0, 0]);
+        let response = data(&next().expect("a response"));
+        assert_eq!(response[..1], [0xC6], "CRC and size");
+        send(black_box(0x610), [0xA3, 0, 0, 0, 0, 0, 0, 0]);
+        loop {
+            let mut command = 0;
+            while command & 0x80 == 0 && command < 127 {
+                let [first, ..] = data(&black_box(next()).expect("a segment"));
+                command = first;
+            }
+            send(black_box(0x610), [0xA2, command & 0x7F, 127, 0, 0, 0, 0, 0]);
+            if command & 0x80 != 0 {
+                break;
+            }
+        }
+        let end = data(&next().expect("the end"));
+        // 586 segments of seven bytes are six bytes more.
+        assert_eq!((end[0], [end[1], end[2]]), (0xD9, CRC.to_le_bytes()));
+        send(black_box(0x610), [0xA1, 0, 0, 0, 0, 0, 0, 0]);
+    }
+}
+
+/// What stands in 2101h.
+#[allow(dead_code, reason = "not all stacks have block transfer")]
+pub fn domain() -> Vec<u8> {
+    (0..4096u32).map(|at| (at * 7 + at / 256).to_le_bytes()[0]).collect()
+}
+
+/// The CRC of [`domain`].
+const CRC: u16 = 0x470F;
+
 #[allow(dead_code, reason = "one of the stacks has everything")]
 /// Ends the bench of what a stack does not have.
 pub fn absent() -> ! {

@@ -2,7 +2,10 @@
 
 fn main() -> Result<(), lexican_codegen::Error> {
     for name in ["bench_100", "bench_1000"] {
-        lexican_codegen::compile(format!("../../../shared/bench/{name}.eds"))?;
+        lexican_codegen::Builder::new(format!("../../../shared/bench/{name}.eds"))
+            .capacity(0x2101, 4096)
+            .generate()?
+            .write_to_out_dir()?;
     }
     Ok(())
 }

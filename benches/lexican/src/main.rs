@@ -6,9 +6,9 @@ mod harness;
 include!(concat!(env!("OUT_DIR"), "/bench_100.rs"));
 include!(concat!(env!("OUT_DIR"), "/bench_1000.rs"));
 
-use std::hint::black_box;
+use std::{cell::RefCell, hint::black_box};
 
-use lexican_runtime::{Address, CanId, Device, Frame, Instant, Node, NodeId};
+use lexican_runtime::{Address, CanId, Device, Frame, Instant, Node, NodeId, od};
 
 fn main() {
     let (operation, large, n) = harness::arguments();
@@ -40,6 +40,20 @@ fn run<D: Device>(device: D, operation: &str, n: u32) {
             node.receive(black_box(now), &frame);
             node.poll(black_box(now))
         }),
+        "block_upload_4k" => {
+            od::set(node.device_mut(), Address::new(0x2101, 0), &harness::domain()).unwrap();
+            node.poll(now);
+            let node = RefCell::new(node);
+            harness::block_upload_all(
+                n,
+                |frame: &Frame| frame.word().to_le_bytes(),
+                |id, data| {
+                    let frame = black_box(frame(id, data).unwrap());
+                    node.borrow_mut().receive(black_box(now), &frame);
+                },
+                || node.borrow_mut().poll(black_box(now)),
+            );
+        }
         // What sending the frames to nobody costs.
         "harness" => harness::exchange_all(operation, n, command, |id, data| frame(id, data)),
         _ => harness::exchange_all(operation, n, command, |id, data| {

@@ -4,7 +4,7 @@
 //! C6 20 10 00 0A 00 00 00 ─▶     ◀─ A4 20 10 00 7F 00 00 00     ten bytes will follow (C4: some will), with a CRC
 //! 01 61 62 63 64 65 66 67 ─▶                                    the first segment of the block
 //! 82 68 69 6A 00 00 00 00 ─▶     ◀─ A2 02 7F 00 00 00 00 00     bit 7: the last; taken up to the second
-//! D1 3A 2E 00 00 00 00 00 ─▶     ◀─ A1 00 00 00 00 00 00 00     four bytes of the last do not count; the CRC is 2E3Ah
+//! D1 2A A3 00 00 00 00 00 ─▶     ◀─ A1 00 00 00 00 00 00 00     four bytes of the last do not count; the CRC is A32Ah
 //! ```
 
 use super::incoming::Incoming;

@@ -4,14 +4,14 @@
 //! A4 08 10 00 7F 00 00 00 ─▶     ◀─ C6 08 10 00 0A 00 00 00     blocks of 127 segments, please; ten bytes, with a CRC
 //! A3 00 00 00 00 00 00 00 ─▶     ◀─ 01 61 62 63 64 65 66 67     the first segment of the block
 //!                                ◀─ 82 68 69 6A 00 00 00 00     bit 7: the last
-//! A2 02 7F 00 00 00 00 00 ─▶     ◀─ D1 3A 2E 00 00 00 00 00     four bytes of the last do not count; the CRC is 2E3Ah
+//! A2 02 7F 00 00 00 00 00 ─▶     ◀─ D1 2A A3 00 00 00 00 00     four bytes of the last do not count; the CRC is A32Ah
 //! A1 00 00 00 00 00 00 00 ─▶
 //! ```
 
-use super::{crc, outgoing::Outgoing};
+use super::outgoing::Outgoing;
 use crate::{
     od::Device,
-    wire::sdo::{BlockSegment, Response},
+    wire::sdo::{response, Response},
     AbortCode,
 };
 
@@ -26,10 +26,6 @@ pub(super) struct BlockUpload {
     sequence: u8,
     /// Bytes of that segment that do not count.
     unused: u8,
-    has_crc: bool,
-    /// The CRC of the first `summed` bytes.
-    crc: u16,
-    summed: usize,
     /// Where this block began.
     confirmed: usize,
 }
@@ -57,16 +53,13 @@ pub(super) const fn check_block_size(block_size: u8) -> Result<(), AbortCode> {
 
 impl BlockUpload {
     /// Takes `A0` or `A4`.
-    pub(super) const fn begin(outgoing: Outgoing, block_size: u8, has_crc: bool) -> Self {
+    pub(super) const fn begin(outgoing: Outgoing, block_size: u8) -> Self {
         Self {
             outgoing,
             phase: Phase::Start,
             block_size,
             sequence: 0,
             unused: 0,
-            has_crc,
-            crc: 0,
-            summed: 0,
             confirmed: 0,
         }
     }
@@ -88,24 +81,14 @@ impl BlockUpload {
 
     /// The next segment.
     #[inline]
-    pub(super) fn segment<D: Device>(&mut self, device: &mut D, buffer: &mut [u8]) -> Result<BlockSegment, AbortCode> {
-        let is_new = self.outgoing.sent() == self.summed;
-        let segment = self.outgoing.next(device, buffer)?;
-        // What is sent again is in the CRC already.
-        if self.has_crc && is_new {
-            self.crc = crc(self.crc, segment.bytes());
-            self.summed = self.outgoing.sent();
-        }
+    pub(super) fn segment<D: Device>(&mut self, device: &mut D, buffer: &mut [u8]) -> Result<[u8; 8], AbortCode> {
+        let piece = self.outgoing.next(device, buffer)?;
         self.sequence += 1;
-        self.unused = 7 - segment.length;
-        if segment.last || self.sequence == self.block_size {
+        if piece.is_last || self.sequence == self.block_size {
             self.phase = Phase::Acknowledge;
+            self.unused = 7 - piece.length;
         }
-        Ok(BlockSegment {
-            last: segment.last,
-            sequence: self.sequence,
-            data: segment.data,
-        })
+        Ok(response::block_segment(piece.is_last, self.sequence, piece.bits))
     }
 
     /// Takes `A2`: goes on behind what was taken. When that is all, gives the end.
@@ -133,7 +116,7 @@ impl BlockUpload {
 
     fn end(&mut self) -> [u8; 8] {
         self.phase = Phase::End;
-        let (unused, crc) = (self.unused, self.crc);
+        let (unused, crc) = (self.unused, self.outgoing.crc());
         Response::BlockUploadEnd { unused, crc }.emit()
     }
 

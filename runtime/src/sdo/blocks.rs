@@ -89,12 +89,12 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
     ) -> Result<Answer, AbortCode> {
         check_block_size(terms.block_size)?;
         let entry = od::readable(device, address)?;
-        let outgoing = Outgoing::begin(device, self.buffer.as_mut(), entry)?;
-        if outgoing.size() <= usize::from(terms.threshold) {
+        let outgoing = Outgoing::begin(device, self.buffer.as_mut(), entry, terms.crc)?;
+        if terms.threshold != 0 && outgoing.size() <= usize::from(terms.threshold) {
             let begun = upload::long(device, self.buffer.as_mut(), outgoing);
             return Ok(Answer::Response(self.begin_upload(now, address, begun)));
         }
-        let upload = BlockUpload::begin(outgoing, terms.block_size, terms.crc);
+        let upload = BlockUpload::begin(outgoing, terms.block_size);
         self.enter(now, State::BlockUpload(upload));
         let (crc, size) = (terms.crc, outgoing.announced());
         Ok(Answer::Response(

@@ -2,10 +2,10 @@
 //!
 //! A constant is cut where it stands. Of one that the application gives in parts, the buffer holds a piece at a time.
 
-use super::is_in_parts;
+use super::{crc, is_in_parts};
 use crate::{
     od::{self, Access, Device, Entry, Value},
-    wire::sdo::{Expedited, Segment},
+    wire::sdo::Expedited,
     AbortCode, Address,
 };
 
@@ -17,23 +17,58 @@ pub(super) struct Outgoing {
     sent: usize,
     /// Bytes of the value before those in the buffer.
     before: usize,
+    /// The CRC of the first `summed` bytes, if the client wants one.
+    crc: u16,
+    summed: usize,
+    has_crc: bool,
+    /// Whether all of it is in the buffer.
+    is_snapshot: bool,
+}
+
+/// Up to seven bytes of it.
+#[derive(Clone, Copy)]
+pub(super) struct Piece {
+    /// The bytes, the first the lowest; 0 beyond the length, but for the eighth.
+    pub(super) bits: u64,
+    /// How many there are.
+    pub(super) length: u8,
+    /// Whether nothing is left.
+    pub(super) is_last: bool,
 }
 
 impl Outgoing {
     /// Begins with the value of `entry`, which [`od::readable`] gave.
     #[inline(never)]
-    pub(super) fn begin<D: Device>(device: &mut D, buffer: &mut [u8], entry: Entry) -> Result<Self, AbortCode> {
+    pub(super) fn begin<D: Device>(
+        device: &mut D,
+        buffer: &mut [u8],
+        entry: Entry,
+        has_crc: bool,
+    ) -> Result<Self, AbortCode> {
         let size = if is_in_parts::<D>(entry) {
             device.read_part(entry.address(), 0, buffer)?
         } else {
             snapshot::<D>(buffer, entry, od::load(device, entry)?)?
         };
-        Ok(Self {
+        let mut outgoing = Self {
             entry,
             size,
             sent: 0,
             before: 0,
-        })
+            crc: 0,
+            summed: 0,
+            has_crc,
+            is_snapshot: !is_in_parts::<D>(entry) && !stands_in_flash::<D>(entry),
+        };
+        if has_crc {
+            outgoing.sum(device, buffer)?;
+        }
+        Ok(outgoing)
+    }
+
+    /// The CRC of all that the client has got; 0 if it wants none.
+    pub(super) const fn crc(&self) -> u16 {
+        self.crc
     }
 
     pub(super) const fn address(&self) -> Address {
@@ -61,46 +96,65 @@ impl Outgoing {
     }
 
     /// The value itself, if it has one to four bytes.
+    #[allow(clippy::cast_possible_truncation)] // The higher ones are 0.
     pub(super) fn expedited<D: Device>(&mut self, device: &mut D, buffer: &mut [u8]) -> Option<Expedited> {
-        let length = u8::try_from(self.size).ok().filter(|size| matches!(size, 1..=4))?;
-        let [d0, d1, d2, d3, ..] = self.next(device, buffer).ok()?.data;
+        if !matches!(self.size, 1..=4) {
+            return None;
+        }
+        let piece = self.next(device, buffer).ok()?;
         Some(Expedited {
-            bits: u32::from_le_bytes([d0, d1, d2, d3]),
-            length: Some(length),
+            bits: piece.bits as u32,
+            length: Some(piece.length),
         })
     }
 
-    /// The next seven bytes, or all that is left. Its toggle bit is for the caller to set.
+    /// The next seven bytes, or all that is left.
     #[inline]
-    #[allow(clippy::cast_possible_truncation)] // The length is 0 to 7.
-    pub(super) fn next<D: Device>(&mut self, device: &mut D, buffer: &mut [u8]) -> Result<Segment, AbortCode> {
+    pub(super) fn next<D: Device>(&mut self, device: &mut D, buffer: &mut [u8]) -> Result<Piece, AbortCode> {
+        if self.is_snapshot && self.size - self.sent > 7 {
+            if let Some(bytes) = buffer.get(self.sent..).and_then(<[u8]>::first_chunk) {
+                self.sent += 7;
+                return Ok(Piece {
+                    bits: u64::from_le_bytes(*bytes),
+                    length: 7,
+                    is_last: false,
+                });
+            }
+        }
+        self.cut(device, buffer)
+    }
+
+    /// The same of any value, its end too.
+    #[inline(never)]
+    fn cut<D: Device>(&mut self, device: &mut D, buffer: &mut [u8]) -> Result<Piece, AbortCode> {
         if is_in_parts::<D>(self.entry) {
             self.fetch(device, buffer)?;
         }
-        let value = if stands_in_flash::<D>(self.entry) {
-            od::load(device, self.entry)?.to_bytes()
-        } else {
-            buffer
-        };
         let left = self.size - self.sent;
-        let length = left.min(7);
-        let from = self.sent - self.before;
-        let rest = value.get(from..).ok_or(AbortCode::INTERNAL_INCOMPATIBILITY)?;
-        let mut data = [0; 7];
-        match rest.first_chunk() {
-            Some(full) if length == 7 => data = *full,
-            _ => data
-                .iter_mut()
-                .zip(rest.iter().take(length))
-                .for_each(|(to, from)| *to = *from),
+        let value = self.value(device, buffer)?;
+        let rest = value.get(self.sent - self.before..).unwrap_or_default();
+        let piece = first(rest, left);
+        self.sent += usize::from(piece.length);
+        Ok(piece)
+    }
+
+    /// The bytes that the next ones are cut from.
+    #[inline]
+    fn value<'a, D: Device>(&self, device: &'a D, buffer: &'a [u8]) -> Result<&'a [u8], AbortCode> {
+        if stands_in_flash::<D>(self.entry) {
+            return Ok(od::load(device, self.entry)?.to_bytes());
         }
-        self.sent += length;
-        Ok(Segment {
-            toggle: false,
-            last: left <= 7,
-            length: length as u8,
-            data,
-        })
+        Ok(buffer)
+    }
+
+    /// Adds what the buffer holds to the CRC, but for what is in it already.
+    fn sum<D: Device>(&mut self, device: &D, buffer: &[u8]) -> Result<(), AbortCode> {
+        let value = self.value(device, buffer)?;
+        let end = value.len().min(self.size - self.before);
+        let new = value.get(self.summed - self.before..end).unwrap_or_default();
+        self.crc = crc(self.crc, new);
+        self.summed += new.len();
+        Ok(())
     }
 
     /// Has the application fill the buffer anew, if it does not hold the next seven bytes.
@@ -116,7 +170,26 @@ impl Outgoing {
             return Err(AbortCode::DEVICE_STATE);
         }
         self.before = self.sent;
+        if self.has_crc {
+            self.sum(device, buffer)?;
+        }
         Ok(())
+    }
+}
+
+/// The first seven bytes of what is left, or all of it.
+#[allow(clippy::cast_possible_truncation)] // The length is 0 to 7.
+fn first(rest: &[u8], left: usize) -> Piece {
+    let length = left.min(7);
+    let mut bytes = [0; 8];
+    bytes
+        .iter_mut()
+        .zip(rest.iter().take(length))
+        .for_each(|(to, from)| *to = *from);
+    Piece {
+        bits: u64::from_le_bytes(bytes),
+        length: length as u8,
+        is_last: left <= 7,
     }
 }
 

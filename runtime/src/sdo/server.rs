@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     od::{Device, Services},
-    wire::sdo::{Request, Response, Segment},
+    wire::sdo::{response, Request, Response, Segment},
     AbortCode, Address, Instant,
 };
 
@@ -117,7 +117,7 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
             self.wait(now);
         }
         let message = match segment {
-            Ok(segment) => segment.emit(),
+            Ok(segment) => segment,
             Err(code) => self.refuse(self.address(), code),
         };
         Some(Next { message, has_more })
@@ -208,7 +208,7 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
         match begun {
             Begun::Complete(value) => {
                 self.reset();
-                Response::UploadExpedited { address, value }.emit()
+                response::upload_expedited(address, value)
             }
             Begun::Segmented(upload) => {
                 self.enter(now, State::Upload(upload));
@@ -219,14 +219,15 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
     }
 
     /// `60` or `70`: stays in `Upload` until the last segment.
+    #[inline(never)] // Reading and writing of short values is not to pay for it.
     fn upload_segment<D: Device>(&mut self, now: Instant, device: &mut D, toggle: bool) -> [u8; 8] {
         let State::Upload(upload) = &mut self.state else {
             return self.refuse(self.address(), AbortCode::UNKNOWN_COMMAND);
         };
         match upload.segment(device, self.buffer.as_mut(), toggle) {
-            Ok(segment) => {
-                self.proceed(now, segment.last);
-                Response::UploadSegment(segment).emit()
+            Ok(piece) => {
+                self.proceed(now, piece.is_last);
+                response::upload_segment(toggle, piece.is_last, piece.length, piece.bits)
             }
             Err(code) => self.refuse(self.address(), code),
         }
@@ -242,10 +243,11 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
     ) -> Result<Answer, AbortCode> {
         let download = Download::begin(device, self.buffer.as_ref().len(), address, size)?;
         self.enter(now, State::Download(download));
-        Ok(Answer::Response(Response::DownloadInitiate { address }.emit()))
+        Ok(Answer::Response(response::download_initiate(address)))
     }
 
     /// `0x` or `1x`: stays in `Download` until the last segment.
+    #[inline(never)]
     fn download_segment<D: Device>(
         &mut self,
         now: Instant,
@@ -259,8 +261,7 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
         match download.segment(device, services, self.buffer.as_mut(), segment) {
             Ok(()) => {
                 self.proceed(now, segment.last);
-                let toggle = segment.toggle;
-                Response::DownloadSegment { toggle }.emit()
+                response::download_segment(segment.toggle)
             }
             Err(code) => self.refuse(self.address(), code),
         }
@@ -291,7 +292,7 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
     #[inline(never)]
     pub(super) fn refuse(&mut self, address: Address, code: AbortCode) -> [u8; 8] {
         self.reset();
-        Response::Abort { address, code }.emit()
+        response::abort(address, code)
     }
 
     /// What the open transfer is about; 0000h:00 without one.

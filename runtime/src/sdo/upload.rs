@@ -7,10 +7,10 @@
 //!             70 00 00 00 00 00 00 00 ─▶     ◀─ 19 68 69 6A 00 00 00 00     bit 4 toggles, bit 0: the last
 //! ```
 
-use super::outgoing::Outgoing;
+use super::outgoing::{Outgoing, Piece};
 use crate::{
     od::{self, DataType, Device, Value},
-    wire::sdo::{Expedited, Segment},
+    wire::sdo::Expedited,
     AbortCode, Address,
 };
 
@@ -36,13 +36,13 @@ pub(super) enum Begun {
 pub(super) fn initiate<D: Device>(device: &mut D, buffer: &mut [u8], address: Address) -> Result<Begun, AbortCode> {
     let entry = od::readable(device, address)?;
     if entry.data_type.length() == 0 {
-        let outgoing = Outgoing::begin(device, buffer, entry)?;
+        let outgoing = Outgoing::begin(device, buffer, entry, false)?;
         return Ok(long(device, buffer, outgoing));
     }
     match od::load(device, entry)? {
         Value::Number { bits, data_type } if data_type.length() <= 4 => Ok(Begun::Complete(expedited(bits, data_type))),
         _ => {
-            let outgoing = Outgoing::begin(device, buffer, entry)?;
+            let outgoing = Outgoing::begin(device, buffer, entry, false)?;
             Ok(long(device, buffer, outgoing))
         }
     }
@@ -73,17 +73,17 @@ pub(super) fn long<D: Device>(device: &mut D, buffer: &mut [u8], mut outgoing: O
 
 impl Upload {
     /// State `Upload`: takes `60` or `70`, gives the next seven bytes.
+    #[inline]
     pub(super) fn segment<D: Device>(
         &mut self,
         device: &mut D,
         buffer: &mut [u8],
         toggle: bool,
-    ) -> Result<Segment, AbortCode> {
+    ) -> Result<Piece, AbortCode> {
         if toggle != self.toggle {
             return Err(AbortCode::TOGGLE_NOT_ALTERNATED);
         }
-        let segment = self.outgoing.next(device, buffer)?;
         self.toggle = !toggle;
-        Ok(Segment { toggle, ..segment })
+        self.outgoing.next(device, buffer)
     }
 }

@@ -5,7 +5,7 @@
 
 mod block;
 mod request;
-mod response;
+pub(crate) mod response;
 
 pub use block::BlockSegment;
 pub use request::Request;
