@@ -11,7 +11,7 @@
 use super::{incoming::Incoming, is_in_parts};
 use crate::{
     od::{self, Device, Services},
-    wire::sdo::{response, Expedited, Segment},
+    wire::sdo::{Expedited, Response, Segment},
     AbortCode, Address,
 };
 
@@ -32,8 +32,8 @@ pub(super) fn expedited<D: Device>(
     value: Expedited,
 ) -> [u8; 8] {
     match write(device, services, address, value) {
-        Ok(()) => response::download_initiate(address),
-        Err(code) => response::abort(address, code),
+        Ok(()) => Response::DownloadInitiate { address }.emit(),
+        Err(code) => Response::Abort { address, code }.emit(),
     }
 }
 

@@ -208,7 +208,7 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
         match begun {
             Begun::Complete(value) => {
                 self.reset();
-                response::upload_expedited(address, value)
+                Response::UploadExpedited { address, value }.emit()
             }
             Begun::Segmented(upload) => {
                 self.enter(now, State::Upload(upload));
@@ -219,7 +219,6 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
     }
 
     /// `60` or `70`: stays in `Upload` until the last segment.
-    #[inline(never)] // Reading and writing of short values is not to pay for it.
     fn upload_segment<D: Device>(&mut self, now: Instant, device: &mut D, toggle: bool) -> [u8; 8] {
         let State::Upload(upload) = &mut self.state else {
             return self.refuse(self.address(), AbortCode::UNKNOWN_COMMAND);
@@ -243,11 +242,10 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
     ) -> Result<Answer, AbortCode> {
         let download = Download::begin(device, self.buffer.as_ref().len(), address, size)?;
         self.enter(now, State::Download(download));
-        Ok(Answer::Response(response::download_initiate(address)))
+        Ok(Answer::Response(Response::DownloadInitiate { address }.emit()))
     }
 
     /// `0x` or `1x`: stays in `Download` until the last segment.
-    #[inline(never)]
     fn download_segment<D: Device>(
         &mut self,
         now: Instant,
@@ -261,7 +259,7 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
         match download.segment(device, services, self.buffer.as_mut(), segment) {
             Ok(()) => {
                 self.proceed(now, segment.last);
-                response::download_segment(segment.toggle)
+                Response::DownloadSegment { toggle: segment.toggle }.emit()
             }
             Err(code) => self.refuse(self.address(), code),
         }
@@ -292,7 +290,7 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
     #[inline(never)]
     pub(super) fn refuse(&mut self, address: Address, code: AbortCode) -> [u8; 8] {
         self.reset();
-        response::abort(address, code)
+        Response::Abort { address, code }.emit()
     }
 
     /// What the open transfer is about; 0000h:00 without one.

@@ -146,11 +146,11 @@ impl Response {
     pub fn emit(self) -> [u8; 8] {
         match self {
             Self::UploadSegment(segment) => segment.emit(0x00),
-            Self::DownloadSegment { toggle } => download_segment(toggle),
-            Self::UploadExpedited { address, value } => upload_expedited(address, value),
+            Self::DownloadSegment { toggle } => [0x20 | u8::from(toggle) << 4, 0, 0, 0, 0, 0, 0, 0],
+            Self::UploadExpedited { address, value } => join(0x40 | value.command(), address, value.bits),
             Self::UploadInitiate { address, size } => join(0x40 | u8::from(size.is_some()), address, size.unwrap_or(0)),
-            Self::DownloadInitiate { address } => download_initiate(address),
-            Self::Abort { address, code } => abort(address, code),
+            Self::DownloadInitiate { address } => join(0x60, address, 0),
+            Self::Abort { address, code } => join(0x80, address, code.0),
             Self::BlockDownloadInitiate {
                 address,
                 crc,
@@ -166,32 +166,6 @@ impl Response {
             Self::Unknown { address } => join(0xE0, address, 0),
         }
     }
-}
-
-// What a server sends most, each by itself: it need not choose among all responses then.
-
-/// [`Response::DownloadSegment`]
-#[inline]
-pub(crate) fn download_segment(toggle: bool) -> [u8; 8] {
-    [0x20 | u8::from(toggle) << 4, 0, 0, 0, 0, 0, 0, 0]
-}
-
-/// [`Response::DownloadInitiate`]
-#[inline]
-pub(crate) fn download_initiate(address: Address) -> [u8; 8] {
-    join(0x60, address, 0)
-}
-
-/// [`Response::UploadExpedited`]
-#[inline]
-pub(crate) fn upload_expedited(address: Address, value: Expedited) -> [u8; 8] {
-    join(0x40 | value.command(), address, value.bits)
-}
-
-/// [`Response::Abort`]
-#[inline]
-pub(crate) fn abort(address: Address, code: AbortCode) -> [u8; 8] {
-    join(0x80, address, code.0)
 }
 
 /// [`Response::UploadSegment`] of the `length` low bytes of `bits`, 0 to 7; the next two are 0.
