@@ -1,4 +1,5 @@
-//! An encoder's firmware without the encoder: the bus and the clock are addresses that are read and written.
+//! An encoder's firmware without the encoder: the bus, the clock and the memory for what is stored are addresses that are
+//! read and written.
 
 #![no_std]
 #![no_main]
@@ -7,22 +8,34 @@ use core::{mem::MaybeUninit, ptr};
 
 use cortex_m_rt::entry;
 // The vector table of a chip.
+use lexican_runtime::{
+    storage::{Failed, Slot, Storage},
+    CanId, Frame, Instant, Node, NodeId,
+};
 use lm3s6965 as _;
-use lexican_runtime::{CanId, Frame, Instant, Node, NodeId};
 
 include!(concat!(env!("OUT_DIR"), "/dictionary.rs"));
 
 /// Identifier, length, data, data; then the clock.
 const BUS: *mut u32 = 0x4000_0000 as *mut u32;
 
+type Device = dictionary::Device<(), Memory>;
+
+/// Two slots, one behind the other.
+const MEMORY: *mut [u8; 8] = 0x4100_0000 as *mut [u8; 8];
+
+/// Bytes of a slot.
+const SLOT: usize = 2048;
+
 /// Outside the stack, so that it is weighed.
-static mut NODE: MaybeUninit<Node<dictionary::Device<()>>> = MaybeUninit::uninit();
+static mut NODE: MaybeUninit<Node<Device>> = MaybeUninit::uninit();
 
 #[entry]
 fn main() -> ! {
     // SAFETY: there is but one thread, and `main` runs once.
-    let node =
-        unsafe { (*ptr::addr_of_mut!(NODE)).write(Node::new(dictionary::Device::new(()), NodeId::new(0x10).unwrap())) };
+    let node = unsafe {
+        (*ptr::addr_of_mut!(NODE)).write(Node::new(Device::with_storage((), Memory), NodeId::new(0x10).unwrap()))
+    };
     loop {
         let now = Instant::from_micros(u64::from(read(4)));
         if let Some(frame) = receive() {
@@ -31,6 +44,34 @@ fn main() -> ! {
         while let Some(frame) = node.poll(now) {
             send(&frame);
         }
+    }
+}
+
+/// A memory that can be written at any time, as an EEPROM or FRAM.
+struct Memory;
+
+impl Memory {
+    fn word(slot: Slot, offset: usize) -> Result<*mut [u8; 8], Failed> {
+        if offset >= SLOT {
+            return Err(Failed);
+        }
+        Ok(MEMORY.wrapping_add((slot as usize * SLOT + offset) / 8))
+    }
+}
+
+impl Storage for Memory {
+    fn read(&mut self, slot: Slot, offset: usize) -> Result<[u8; 8], Failed> {
+        // SAFETY: on a real device, memory of this size.
+        Self::word(slot, offset).map(|word| unsafe { word.read_volatile() })
+    }
+
+    fn erase(&mut self, slot: Slot) -> Result<(), Failed> {
+        self.write(slot, 0, [0xFF; 8])
+    }
+
+    fn write(&mut self, slot: Slot, offset: usize, word: [u8; 8]) -> Result<(), Failed> {
+        // SAFETY: as above.
+        Self::word(slot, offset).map(|place| unsafe { place.write_volatile(word) })
     }
 }
 
