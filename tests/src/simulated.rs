@@ -4,7 +4,10 @@ use lexican_eds::ir;
 use lexican_runtime::heartbeat::Watch;
 use lexican_runtime::od::{Access, DataType, Device, Entry, Extra, Table, Value, bucket_of, place_of};
 use lexican_runtime::pdo::{Mapped, Parts, Room, Rpdo, Tpdo};
-use lexican_runtime::{AbortCode, Address, Event, lss::BitRates};
+use lexican_runtime::{
+    AbortCode, Address, Event,
+    lss::{BitRate, BitRates},
+};
 
 use crate::memory::Memory;
 
@@ -172,7 +175,9 @@ impl Simulated {
             .iter()
             .map(|data_type| data_type.index())
             .filter(|&index| index < 8);
-        Self::new(&objects).with_dummies(simple.fold(0, |all, index| all | 1 << index))
+        Self::new(&objects)
+            .with_dummies(simple.fold(0, |all, index| all | 1 << index))
+            .with_bit_rates(bit_rates(&dictionary.device.baud_rates))
     }
 
     /// The device with these dummy entries: bit 1 for 0001h, up to bit 7 for 0007h.
@@ -266,6 +271,15 @@ impl Simulated {
         }
         true
     }
+}
+
+/// The rows of CiA 305's table for bit rates in kbit/s.
+fn bit_rates(rates: &ir::BaudRates) -> u16 {
+    let rows = (0..10).filter(|&row| {
+        let rate = BitRate::from_index(row).and_then(BitRate::kbit_per_s);
+        rate.is_some_and(|rate| rates.0.contains(&rate))
+    });
+    rows.fold(0, |bits, row| bits | 1 << row)
 }
 
 /// `bytes` from the bus as wide as in the dictionary, little-endian, with the sign of an INTEGER.

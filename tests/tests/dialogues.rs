@@ -8,6 +8,7 @@ use lexican_tests::{
     bus::Bus,
     dialogue::{self, Summary},
     generated::{wdga, wv58mr},
+    memory::Memory,
     simulated::Simulated,
 };
 
@@ -19,19 +20,26 @@ fn hold<D: Device>(name: &str, device: impl Fn() -> D) -> Summary {
 
 fn simulated(name: &str) -> Simulated {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../eds/devices/{name}.eds"));
-    Simulated::of(&lexican_eds::read(name, fs::read(file).expect("the device's file")).dictionary)
+    let eds = lexican_eds::read(name, fs::read(file).expect("the device's file"));
+    Simulated::of(&eds.dictionary).with_memory(&Memory::eeprom(4096))
 }
 
 #[test]
 fn the_telegrams_of_the_wdga() {
-    let all = Summary { held: 27, later: 2 };
-    assert_eq!(hold("wdga", || wdga::Device::new(())), all);
+    let all = Summary { held: 34, later: 0 };
+    assert_eq!(
+        hold("wdga", || wdga::Device::with_storage((), Memory::flash(4096))),
+        all
+    );
     assert_eq!(hold("wdga", || simulated("wdga")), all);
 }
 
 #[test]
 fn the_telegrams_of_the_wv58mr() {
-    let all = Summary { held: 10, later: 2 };
-    assert_eq!(hold("wv58mr", || wv58mr::Device::new(())), all);
+    let all = Summary { held: 20, later: 0 };
+    assert_eq!(
+        hold("wv58mr", || wv58mr::Device::with_storage((), Memory::flash(4096))),
+        all
+    );
     assert_eq!(hold("wv58mr", || simulated("wv58mr")), all);
 }

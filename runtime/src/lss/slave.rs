@@ -235,14 +235,11 @@ impl Slave {
     }
 
     fn identify<D: Device>(&mut self, device: &D, bound: Bound, number: u32) -> Reaction {
-        let is = |part| identity(device, part);
+        let order = number.cmp(&identity(device, bound.part()));
         let holds = match bound {
-            Bound::VendorId => number == is(Part::VendorId),
-            Bound::ProductCode => number == is(Part::ProductCode),
-            Bound::RevisionLow => number <= is(Part::RevisionNumber),
-            Bound::RevisionHigh => number >= is(Part::RevisionNumber),
-            Bound::SerialLow => number <= is(Part::SerialNumber),
-            Bound::SerialHigh => number >= is(Part::SerialNumber),
+            Bound::VendorId | Bound::ProductCode => order.is_eq(),
+            Bound::RevisionLow | Bound::SerialLow => order.is_le(),
+            Bound::RevisionHigh | Bound::SerialHigh => order.is_ge(),
         };
         if self.goes_on(IDENTIFYING, bound.number(), holds) && bound == Bound::SerialHigh {
             return Reaction::Answer(Response::Identified);
@@ -285,6 +282,7 @@ impl Slave {
 }
 
 /// A part of the LSS address; 0 for a device without that sub-index.
+#[inline(never)]
 fn identity<D: Device>(device: &D, part: Part) -> u32 {
     od::parameter(device, Address::new(0x1018, part.number() + 1))
 }

@@ -72,7 +72,7 @@ fn set<D: Device>(device: &mut D, writer: &mut Writer, settings: Settings) -> Re
     let storage = device.storage().ok_or(Failed)?;
     let bytes = settings.bytes();
     writer.record(storage, SETTINGS, bytes.len())?;
-    bytes.iter().try_for_each(|byte| writer.byte(storage, *byte))
+    writer.put(storage, &bytes)
 }
 
 /// What stays of the old image. Objects that are not there any more do not.
@@ -93,9 +93,10 @@ fn copy<D: Device>(device: &mut D, writer: &mut Writer, old: Image, change: Chan
             writer.record(storage, address, length)?;
         }
         for _ in 0..length {
-            let byte = reader.byte(storage).ok_or(Failed)?;
+            let mut byte = [0];
+            reader.fill(storage, &mut byte).ok_or(Failed)?;
             if stays {
-                writer.byte(storage, byte)?;
+                writer.put(storage, &byte)?;
             }
         }
     }
@@ -114,19 +115,26 @@ fn save<D: Device>(device: &mut D, writer: &mut Writer, saved: Group) -> Result<
 }
 
 fn save_value<D: Device>(device: &mut D, writer: &mut Writer, entry: Entry) -> Result<(), Failed> {
-    let length = match od::load(device, entry) {
-        Ok(Value::Bytes(bytes)) => bytes.len(),
-        _ => entry.data_type.length(),
+    let (length, bits) = match od::load(device, entry) {
+        Ok(Value::Number { bits, .. }) => (entry.data_type.length(), bits),
+        Ok(Value::Bytes(bytes)) => (bytes.len(), 0),
+        Err(_) => return Err(Failed),
     };
     writer.record(device.storage().ok_or(Failed)?, entry.address(), length)?;
+    if let Some(bytes) = bits
+        .to_le_bytes()
+        .get(..entry.data_type.length())
+        .filter(|bytes| !bytes.is_empty())
+    {
+        return writer.put(device.storage().ok_or(Failed)?, bytes);
+    }
+    // Byte by byte, as the string and the storage are both the device's.
     for nth in 0..length {
-        // Anew for each byte, as values and storage are both the device's.
-        let byte = match od::load(device, entry) {
-            Ok(Value::Bytes(bytes)) => bytes.get(nth).copied(),
-            Ok(Value::Number { bits, .. }) => bits.to_le_bytes().get(nth).copied(),
-            Err(_) => None,
+        let Ok(Value::Bytes(bytes)) = od::load(device, entry) else {
+            return Err(Failed);
         };
-        writer.byte(device.storage().ok_or(Failed)?, byte.ok_or(Failed)?)?;
+        let byte = bytes.get(nth).copied().ok_or(Failed)?;
+        writer.put(device.storage().ok_or(Failed)?, &[byte])?;
     }
     Ok(())
 }

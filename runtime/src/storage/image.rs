@@ -4,7 +4,7 @@ use super::{capabilities, Failed, Slot, Storage};
 use crate::{lss::BitRate, od::Device, Address, NodeId};
 
 /// `Lx`, and the format's version.
-const MAGIC: u32 = 0x0001_784C;
+const MAGIC: [u8; 4] = *b"Lx\x01\x00";
 /// Beyond it no image goes: so an application's mistake cannot keep a reader busy for ever.
 const LIMIT: usize = 0x4_0000;
 
@@ -71,24 +71,29 @@ pub(crate) fn newest<D: Device>(device: &mut D) -> Option<Image> {
 }
 
 /// The image in `slot`, if it is whole.
+#[inline(never)]
 fn whole<S: Storage>(storage: &mut S, slot: Slot) -> Option<Image> {
     let mut reader = Reader::new(slot);
-    if reader.number(storage, 4)? != MAGIC {
+    let mut head = [0; 8];
+    reader.fill(storage, &mut head)?;
+    let [m0, m1, m2, m3, s0, s1, s2, s3] = head;
+    if [m0, m1, m2, m3] != MAGIC {
         return None;
     }
-    let sequence = reader.number(storage, 4)?;
+    let sequence = u32::from_le_bytes([s0, s1, s2, s3]);
     loop {
         let record = reader.record(storage)?;
         if record.is_end() {
             break;
         }
         for _ in 0..record.length {
-            reader.byte(storage)?;
+            reader.fill(storage, &mut [0])?;
         }
     }
-    let check = reader.check;
-    let is_whole = reader.number(storage, 4)? == !check;
-    is_whole.then_some(Image { slot, sequence })
+    let expected = (!reader.check).to_le_bytes();
+    let mut check = [0; 4];
+    reader.fill(storage, &mut check)?;
+    (check == expected).then_some(Image { slot, sequence })
 }
 
 /// Reads a slot from its beginning on.
@@ -117,33 +122,30 @@ impl Reader {
         }
     }
 
-    pub(super) fn byte<S: Storage>(&mut self, storage: &mut S) -> Option<u8> {
-        let nth = self.offset % 8;
-        if nth == 0 {
-            self.word = storage.read(self.slot, self.offset).ok()?;
+    /// The next bytes; `None` when they cannot be read.
+    #[inline(never)]
+    pub(super) fn fill<S: Storage>(&mut self, storage: &mut S, bytes: &mut [u8]) -> Option<()> {
+        for byte in bytes {
+            let nth = self.offset % 8;
+            if nth == 0 {
+                self.word = storage.read(self.slot, self.offset).ok()?;
+            }
+            *byte = self.word.get(nth).copied().filter(|_| self.offset < LIMIT)?;
+            self.offset += 1;
+            self.check = crc(self.check, *byte);
         }
-        let byte = self.word.get(nth).copied().filter(|_| self.offset < LIMIT)?;
-        self.offset += 1;
-        self.check = crc(self.check, byte);
-        Some(byte)
-    }
-
-    fn number<S: Storage>(&mut self, storage: &mut S, bytes: u32) -> Option<u32> {
-        let mut number = 0;
-        for nth in 0..bytes {
-            number |= u32::from(self.byte(storage)?) << (8 * nth);
-        }
-        Some(number)
+        Some(())
     }
 
     /// The next record, the last of which [`Record::is_end`]; `None` when it cannot be read.
-    #[allow(clippy::cast_possible_truncation)] // So many bytes are read.
     pub(super) fn record<S: Storage>(&mut self, storage: &mut S) -> Option<Record> {
-        let index = self.number(storage, 2)? as u16;
-        let sub = self.number(storage, 1)? as u8;
-        let length = self.number(storage, 2)? as usize;
-        let address = Address::new(index, sub);
-        Some(Record { address, length })
+        let mut head = [0; Record::HEAD];
+        self.fill(storage, &mut head)?;
+        let [i0, i1, sub, l0, l1] = head;
+        Some(Record {
+            address: Address::new(u16::from_le_bytes([i0, i1]), sub),
+            length: usize::from(u16::from_le_bytes([l0, l1])),
+        })
     }
 }
 
@@ -169,26 +171,25 @@ impl Writer {
             check: CRC_START,
         };
         storage.erase(image.slot)?;
-        writer.number(storage, MAGIC, 4)?;
-        writer.number(storage, image.sequence, 4)?;
+        writer.put(storage, &MAGIC)?;
+        writer.put(storage, &image.sequence.to_le_bytes())?;
         Ok(writer)
     }
 
-    pub(super) fn byte<S: Storage>(&mut self, storage: &mut S, byte: u8) -> Result<(), Failed> {
-        if let Some(place) = self.word.get_mut(self.offset % 8) {
-            *place = byte;
-        }
-        self.check = crc(self.check, byte);
-        self.offset += 1;
-        if self.offset % 8 == 0 {
-            storage.write(self.image.slot, self.offset - 8, self.word)?;
+    /// The next bytes.
+    #[inline(never)]
+    pub(super) fn put<S: Storage>(&mut self, storage: &mut S, bytes: &[u8]) -> Result<(), Failed> {
+        for byte in bytes {
+            if let Some(place) = self.word.get_mut(self.offset % 8) {
+                *place = *byte;
+            }
+            self.check = crc(self.check, *byte);
+            self.offset += 1;
+            if self.offset % 8 == 0 {
+                storage.write(self.image.slot, self.offset - 8, self.word)?;
+            }
         }
         Ok(())
-    }
-
-    fn number<S: Storage>(&mut self, storage: &mut S, number: u32, bytes: usize) -> Result<(), Failed> {
-        let number = number.to_le_bytes();
-        number.iter().take(bytes).try_for_each(|byte| self.byte(storage, *byte))
     }
 
     /// Begins a record; its value, of `length` bytes, is to follow.
@@ -199,17 +200,18 @@ impl Writer {
         address: Address,
         length: usize,
     ) -> Result<(), Failed> {
-        self.number(storage, u32::from(address.index), 2)?;
-        self.number(storage, u32::from(address.sub), 1)?;
-        self.number(storage, length as u32, 2)
+        let [i0, i1] = address.index.to_le_bytes();
+        let [l0, l1] = (length as u16).to_le_bytes();
+        self.put(storage, &[i0, i1, address.sub, l0, l1])
     }
 
     /// Ends the image, and gives it.
     pub(super) fn end<S: Storage>(mut self, storage: &mut S) -> Result<Image, Failed> {
         self.record(storage, END, 0)?;
-        self.number(storage, !self.check, 4)?;
+        let check = (!self.check).to_le_bytes();
+        self.put(storage, &check)?;
         while self.offset % 8 != 0 {
-            self.byte(storage, 0xFF)?;
+            self.put(storage, &[0xFF])?;
         }
         storage.finish(self.image.slot)?;
         Ok(self.image)
@@ -219,6 +221,7 @@ impl Writer {
 const CRC_START: u32 = 0xFFFF_FFFF;
 
 /// CRC-32 (ISO 3309), a bit at a time: a table would take more flash than it saves time.
+#[inline(never)]
 fn crc(check: u32, byte: u8) -> u32 {
     (0..8).fold(check ^ u32::from(byte), |check, _| {
         check >> 1 ^ if check & 1 == 0 { 0 } else { 0xEDB8_8320 }

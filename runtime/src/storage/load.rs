@@ -18,11 +18,12 @@ pub(crate) fn settings<D: Device>(device: &mut D, image: Image) -> Option<Settin
     if record.address != SETTINGS {
         return None;
     }
-    let node_id = reader.byte(storage)?;
-    let bit_rate = BitRate::from_index(reader.byte(storage)?);
+    let mut bytes = [0; 2];
+    reader.fill(storage, &mut bytes)?;
+    let [node_id, bit_rate] = bytes;
     Some(Settings {
         node_id: NodeId::new(node_id).unwrap_or(NodeId::NONE),
-        bit_rate,
+        bit_rate: BitRate::from_index(bit_rate),
     })
 }
 
@@ -36,12 +37,10 @@ pub(crate) fn load<D: Device>(device: &mut D, image: Image, reset: Reset) -> Opt
         if record.is_end() {
             return Some(());
         }
-        for nth in 0..record.length {
-            let byte = reader.byte(storage)?;
-            // What is longer than the longest value is seen by its length.
-            if let Some(place) = buffer.as_mut().get_mut(nth) {
-                *place = byte;
-            }
+        match buffer.as_mut().get_mut(..record.length) {
+            Some(value) => reader.fill(storage, value)?,
+            // Longer than the longest value, and so none.
+            None => (0..record.length).try_for_each(|_| reader.fill(storage, &mut [0]))?,
         }
         let is_meant = record.address != SETTINGS && is_about(device, reset, record.address);
         let value = buffer.as_ref().get(..record.length);

@@ -141,6 +141,17 @@ impl Bound {
         self as u8
     }
 
+    /// The part of the LSS address that it bounds.
+    #[must_use]
+    pub const fn part(self) -> Part {
+        match self {
+            Self::VendorId => Part::VendorId,
+            Self::ProductCode => Part::ProductCode,
+            Self::RevisionLow | Self::RevisionHigh => Part::RevisionNumber,
+            Self::SerialLow | Self::SerialHigh => Part::SerialNumber,
+        }
+    }
+
     const fn from_number(number: u8) -> Self {
         match number {
             0 => Self::VendorId,
