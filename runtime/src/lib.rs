@@ -22,6 +22,7 @@ pub mod lss;
 pub mod nmt;
 pub mod od;
 pub mod pdo;
+pub mod profile;
 pub mod sdo;
 pub mod storage;
 pub mod sync;

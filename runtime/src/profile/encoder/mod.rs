@@ -1,0 +1,55 @@
+//! Encoders (CiA 406): from what the sensor says to what the objects say.
+//!
+//! ```text
+//! turn, angle ─▶ Position   code sequence, scaling, preset        6000h to 6004h, 6008h, 6009h, 6501h, 6502h, 6509h
+//!                   ├─▶ speed    difference over time, scaled      6030h, and twice more: acceleration, jerk
+//!                   ├─▶ Cams     eight switch points               6300h to 6337h
+//!                   └─▶ area     work area                         6400h to 6402h
+//! ```
+//!
+//! Integer arithmetic throughout; exact for every parameter that the standard allows, and nothing overflows.
+
+mod area;
+mod cam;
+mod position;
+mod speed;
+
+pub use area::{area, Area, OUT_OF_RANGE, OVERFLOW, UNDERFLOW};
+pub use cam::{Cam, Cams};
+pub use position::{Parameters, Position, Reading, Shaft};
+pub use speed::speed;
+
+/// `a + b` on a circle of `range` steps; both are on it.
+const fn add(a: u64, b: u64, range: u64) -> u64 {
+    let gap = range - b;
+    if a >= gap {
+        a - gap
+    } else {
+        a + b
+    }
+}
+
+/// How far `to` is ahead of `from` on a circle of `range` steps; both are on it.
+const fn distance(from: u64, to: u64, range: u64) -> u64 {
+    if to >= from {
+        to - from
+    } else {
+        range - from + to
+    }
+}
+
+/// `a * b` on a circle of `range` steps, for products beyond 64 bits too.
+const fn multiply(a: u64, b: u64, range: u64) -> u64 {
+    if let Some(product) = a.checked_mul(b) {
+        return product % range;
+    }
+    let (mut double, mut rest, mut sum) = (a % range, b, 0);
+    while rest != 0 {
+        if rest & 1 == 1 {
+            sum = add(sum, double, range);
+        }
+        double = add(double, double, range);
+        rest >>= 1;
+    }
+    sum
+}
