@@ -97,7 +97,7 @@ mod view;
 pub use builder::Builder;
 pub use error::Error;
 pub use generated::Generated;
-pub use lexican_eds::diagnostic::Level;
+pub use lexican_eds::{diagnostic::Level, rules::Levels};
 #[cfg(feature = "templates")]
 pub use lexican_templates::Template;
 pub use selector::Selector;

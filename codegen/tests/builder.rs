@@ -2,7 +2,7 @@
 
 use std::{fs, path::Path};
 
-use lexican_codegen::{Builder, Error, Level};
+use lexican_codegen::{Builder, Error, Level, Levels};
 
 fn wdga() -> Builder {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../eds/devices/wdga.eds");
@@ -65,6 +65,20 @@ fn the_level_of_a_rule_can_be_changed() {
     );
     assert!(twice().level("INI", Level::Allow).generate().is_ok());
     insta::assert_snapshot!(failure(twice().level("INI999", Level::Warn)), @"unknown rule `INI999`; did you mean INI009?");
+}
+
+#[test]
+fn a_comment_in_the_file_allows_a_rule_in_a_build_as_well() {
+    let text = "[FileInfo]\nFileName=a\n; lexican: allow(INI003) as our tool writes it\nFileName=b\n";
+    assert!(Builder::from_bytes("pump.eds", text).generate().is_ok());
+}
+
+#[test]
+fn the_levels_of_a_rule_come_from_the_caller_and_are_changed_by_the_builder() {
+    let levels = Levels::default().with("INI003=allow".parse().unwrap());
+    let twice = || Builder::from_bytes("pump.eds", "[FileInfo]\nFileName=a\nFileName=b\n").levels(levels.clone());
+    assert!(twice().generate().is_ok());
+    assert!(twice().level("INI", Level::Deny).generate().is_err());
 }
 
 #[test]

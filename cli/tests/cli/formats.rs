@@ -156,6 +156,31 @@ fn the_junit_is_xml_whose_numbers_agree() {
 }
 
 #[test]
+fn the_junit_has_elements_and_attributes_that_the_schema_of_jenkins_knows() {
+    let known = [
+        ("testsuites", &["name"][..], &["testsuite"][..]),
+        ("testsuite", &["name", "tests", "failures", "errors"], &["testcase"]),
+        ("testcase", &["classname", "name"], &["failure", "error", "system-out"]),
+        ("failure", &["type", "message"], &[]),
+        ("error", &["type", "message"], &[]),
+        ("system-out", &[], &[]),
+    ];
+    let ran = run("junit");
+    let document = Document::parse(&ran.stdout).unwrap();
+    for node in document.descendants().filter(Node::is_element) {
+        let name = node.tag_name().name();
+        let (_, attributes, children) = known.iter().find(|(known, ..)| *known == name).expect(name);
+        assert!(
+            node.attributes()
+                .all(|attribute| attributes.contains(&attribute.name())),
+            "{name}"
+        );
+        let mut inner = node.children().filter(Node::is_element);
+        assert!(inner.all(|child| children.contains(&child.tag_name().name())), "{name}");
+    }
+}
+
+#[test]
 fn junit_fails_where_the_exit_code_does() {
     let of = |arguments: &[&str], code| {
         let arguments = [&["check", "--format", "junit"], arguments].concat();
