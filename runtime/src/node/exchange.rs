@@ -132,8 +132,9 @@ impl<D: Device> Node<D> {
             self.pending.remove(Pending::PDO);
         }
         // A timer may run now; none is earlier for one that does not any more.
-        self.timers = self.timers.min(self.pdos.due());
-        self.due = self.due.min(self.timers);
+        if self.pdos.due() < self.timers {
+            self.schedule();
+        }
         frame
     }
 

@@ -15,10 +15,9 @@ const PDO_BITS: u8 = 64;
 pub struct Mapped {
     /// Which row of the table it is, the first one being 1; 0 for none.
     row: u16,
+    /// Offset of its value among the device's; [`Mapped::ASK`] for one that is not just copied from there.
     slot: u16,
     bits: u8,
-    /// Whether its value is found at `slot` among the device's, and the application need not be asked.
-    is_plain: bool,
 }
 
 impl Mapped {
@@ -27,8 +26,10 @@ impl Mapped {
         row: 0,
         slot: 0,
         bits: 0,
-        is_plain: false,
     };
+
+    /// A slot behind all values.
+    const ASK: u16 = u16::MAX;
 
     /// Resolves an entry of a mapping parameter: index, sub-index and length in bits, from high to low.
     ///
@@ -53,13 +54,13 @@ impl Mapped {
             return Err(AbortCode::NOT_MAPPABLE);
         }
         check_length(entry.data_type, bits)?;
-        let asks = entry.access.has(Access::CONSTANT) || entry.access.has(Access::READ_HANDLER);
         let (slot, _) = table.locate(*entry).ok_or(AbortCode::NOT_MAPPABLE)?;
+        let asks = entry.access.has(Access::CONSTANT) || entry.access.has(Access::READ_HANDLER);
+        let is_copied = !asks && cfg!(target_endian = "little") && device.values().len() <= usize::from(Self::ASK);
         Ok(Self {
             row: u16::try_from(place + 1).map_err(|_| AbortCode::NOT_MAPPABLE)?,
-            slot: u16::try_from(slot).map_err(|_| AbortCode::NOT_MAPPABLE)?,
+            slot: u16::try_from(slot).ok().filter(|_| is_copied).unwrap_or(Self::ASK),
             bits,
-            is_plain: !asks && cfg!(target_endian = "little"),
         })
     }
 
@@ -74,29 +75,29 @@ impl Mapped {
         u64::MAX.wrapping_shr(64u32.wrapping_sub(self.bits as u32))
     }
 
-    /// The value of a plain one: eight bytes from its slot on, of which its bits are the lowest. `None` when there are not
-    /// as many.
-    fn load_plain<D: Device>(self, device: &D) -> Option<u64> {
-        let bytes = device.values().get(usize::from(self.slot)..)?.first_chunk()?;
-        self.is_plain.then(|| u64::from_le_bytes(*bytes))
-    }
-
     /// The value now, brought up to date by the application; when that refuses, as it was.
     fn load<D: Device>(self, device: &mut D) -> u64 {
-        match self.load_plain(device) {
-            Some(bits) => bits & self.mask(),
+        // Eight bytes from its slot on, of which its bits are the lowest.
+        let bytes = device
+            .values()
+            .get(usize::from(self.slot)..)
+            .and_then(<[u8]>::first_chunk);
+        let bits = match bytes {
+            Some(bytes) => u64::from_le_bytes(*bytes),
             None => self.load_entry(device),
-        }
+        };
+        bits & self.mask()
     }
 
-    /// The same, step by step.
+    /// The same of a value that is not just copied, or of the last ones, behind which there are no eight bytes.
+    #[cold]
     #[inline(never)]
     fn load_entry<D: Device>(self, device: &mut D) -> u64 {
         let Some(entry) = self.entry(device) else { return 0 };
         if entry.access.has(Access::READ_HANDLER) {
             let _ = device.before_read(entry.address());
         }
-        od::load(device, entry).map_or(0, od::Value::bits) & self.mask()
+        od::load(device, entry).map_or(0, od::Value::bits)
     }
 
     /// Stores the low bits of `word`, if limits and application allow it.
@@ -130,7 +131,8 @@ pub(super) struct Mapping {
     first: u16,
     room: u8,
     count: u8,
-    bits: u8,
+    /// In bytes.
+    length: u8,
 }
 
 impl Mapping {
@@ -138,7 +140,7 @@ impl Mapping {
         first: 0,
         room: 0,
         count: 0,
-        bits: 0,
+        length: 0,
     };
 
     /// A mapping that begins at `first` in the room, and has place for as many objects as 1600h or 1A00h has sub-indices.
@@ -157,7 +159,7 @@ impl Mapping {
 
     /// How many bytes a PDO has that carries it.
     pub(super) const fn length(self) -> u8 {
-        self.bits.div_ceil(8)
+        self.length
     }
 
     /// Whether it has objects.
@@ -177,7 +179,7 @@ impl Mapping {
 
     /// Takes what the parameter at `index` says; if that cannot be mapped, nothing is.
     pub(super) fn configure<D: Device>(&mut self, device: &D, direction: Direction, index: u16, pool: &mut [Mapped]) {
-        (self.count, self.bits) = (0, 0);
+        (self.count, self.length) = (0, 0);
         let count = parameter_u8(device, index, 0);
         if D::SERVICES.has(ServiceSet::MPDO) && mpdo::is_multiplexed(count.into()) {
             self.bits = PDO_BITS;
@@ -185,7 +187,7 @@ impl Mapping {
         }
         let pool = pool.get_mut(usize::from(self.first)..).unwrap_or_default();
         if let Ok(bits) = resolve(device, direction, index, count.into(), pool) {
-            (self.count, self.bits) = (count, bits);
+            (self.count, self.length) = (count, bits.div_ceil(8));
         }
     }
 

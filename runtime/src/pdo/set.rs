@@ -18,6 +18,8 @@ pub struct Set<R> {
     /// Until when synchronous PDOs go with the last SYNC.
     window: Instant,
     due: Instant,
+    /// TPDOs up to the last one that may be sent.
+    used: usize,
 }
 
 /// The first RPDO of each kind that something is wrong with, by its number.
@@ -49,6 +51,7 @@ impl<R: Room> Set<R> {
             is_stale: false,
             window: Instant::NEVER,
             due: Instant::NEVER,
+            used: 0,
         }
     }
 
@@ -91,9 +94,13 @@ impl<R: Room> Set<R> {
         }
         self.is_running = is_operational;
         let Parts { tpdos, rpdos, mapped } = self.room.parts();
-        for tpdo in tpdos {
+        self.used = 0;
+        for (nth, tpdo) in tpdos.iter_mut().enumerate() {
             if tpdo.configure(device, mapped) && is_operational || starts {
                 tpdo.start(now, device, mapped);
+            }
+            if tpdo.id().is_some() {
+                self.used = nth + 1;
             }
         }
         for rpdo in rpdos {
@@ -110,7 +117,7 @@ impl<R: Room> Set<R> {
             rpdo.sync(device, mapped);
         }
         let mut is_requested = false;
-        for tpdo in tpdos {
+        for tpdo in tpdos.get_mut(..self.used).unwrap_or_default() {
             is_requested |= tpdo.sync(device, mapped, counter);
         }
         is_requested
@@ -197,15 +204,15 @@ impl<R: Room> Set<R> {
 
     /// The TPDO to send at `now`, the one with the lowest identifier first; and whether there are more.
     pub fn send<D: Device>(&mut self, now: Instant, device: &mut D) -> (Option<Frame>, bool) {
-        let is_late = now > self.window;
+        if now > self.window {
+            self.miss();
+        }
         let Parts { tpdos, mapped, .. } = self.room.parts();
         let mut next: Option<&mut Tpdo> = None;
         let (mut has_more, mut is_held) = (false, false);
+        let tpdos = tpdos.get_mut(..self.used).unwrap_or_default();
         for tpdo in tpdos.iter_mut().filter(|tpdo| tpdo.is_requested()) {
-            if is_late {
-                tpdo.miss();
-            }
-            if !tpdo.is_requested() || !tpdo.may_be_sent(now) {
+            if !tpdo.may_be_sent(now) {
                 is_held = true;
                 continue;
             }
@@ -215,14 +222,24 @@ impl<R: Room> Set<R> {
             }
         }
         let frame = next.and_then(|tpdo| {
-            let frame = tpdo.send(now, device, mapped);
-            self.due = self.due.min(tpdo.due(now));
+            let frame = tpdo.send(device, mapped);
+            if tpdo.has_timers() {
+                tpdo.restart(now);
+                self.due = self.due.min(tpdo.due(now));
+            }
             frame
         });
         if is_held {
             self.schedule(now);
         }
         (frame, has_more)
+    }
+
+    /// Forgets synchronous transmissions that missed the window.
+    #[cold]
+    fn miss(&mut self) {
+        let Parts { tpdos, .. } = self.room.parts();
+        tpdos.iter_mut().for_each(Tpdo::miss);
     }
 
     /// Looks at the timers; says whether there is a TPDO to send.

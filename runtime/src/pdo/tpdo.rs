@@ -221,19 +221,27 @@ impl Tpdo {
         self.is_requested &= self.transmission_type > LAST_CYCLIC;
     }
 
-    /// The frame, sent at `now`.
-    pub(super) fn send<D: Device>(&mut self, now: Instant, device: &mut D, pool: &[Mapped]) -> Option<Frame> {
+    /// The frame to send.
+    pub(super) fn send<D: Device>(&mut self, device: &mut D, pool: &[Mapped]) -> Option<Frame> {
         self.is_requested = false;
         let word = match self.transmission_type {
             RTR_SYNCHRONOUS => self.sample,
             _ if self.mapping.is_multiplexed::<D>() => self.sample,
             _ => self.mapping.collect(device, pool),
         };
-        if self.transmission_type >= EVENT_DRIVEN {
-            self.inhibited_until = now.plus_micros(u64::from(self.inhibit_time) * 100);
-            self.restart_event_timer(now);
-        }
         self.id.map(|id| Frame::from_word(id, word, self.mapping.length()))
+    }
+
+    /// Whether inhibit time and event timer are heeded.
+    pub(super) const fn has_timers(&self) -> bool {
+        self.transmission_type >= EVENT_DRIVEN
+    }
+
+    /// It was sent at `now`: restarts its timers.
+    #[inline(never)]
+    pub(super) fn restart(&mut self, now: Instant) {
+        self.inhibited_until = now.plus_micros(u64::from(self.inhibit_time) * 100);
+        self.restart_event_timer(now);
     }
 
     /// Looks at the event timer; says whether the PDO is to be sent.
@@ -255,7 +263,7 @@ impl Tpdo {
     }
 
     fn restart_event_timer(&mut self, now: Instant) {
-        let runs = self.event_timer != 0 && self.transmission_type >= EVENT_DRIVEN && self.id.is_some();
+        let runs = self.event_timer != 0 && self.has_timers() && self.id.is_some();
         self.event_due = if runs {
             now.plus_millis(u32::from(self.event_timer))
         } else {
