@@ -33,13 +33,13 @@ impl Instant {
     }
 
     /// The point `micros` µs later.
-    #[inline(never)] // 64 bits are long on a small target.
     #[must_use]
     pub const fn plus_micros(self, micros: u64) -> Self {
         Self(self.0.saturating_add(micros))
     }
 
     /// The point `millis` ms later.
+    #[inline(never)] // 64 bits are long on a small target.
     #[must_use]
     pub const fn plus_millis(self, millis: u32) -> Self {
         self.plus_micros(millis as u64 * 1000)

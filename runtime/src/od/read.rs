@@ -54,6 +54,7 @@ pub fn number<D: Device>(device: &D, address: Address) -> Option<u64> {
 }
 
 /// [`number`] of a parameter of at most 32 bits; 0 for a device without it.
+#[inline(never)]
 pub fn parameter<D: Device>(device: &D, address: Address) -> u32 {
     configured(device, address).unwrap_or(0)
 }

@@ -139,6 +139,7 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
     }
 
     /// Ends the transfer without a word.
+    #[inline(never)]
     pub fn reset(&mut self) {
         self.state = State::Idle;
         self.due = Instant::NEVER;
@@ -272,6 +273,7 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
     }
 
     /// It is the client's turn.
+    #[inline(never)]
     pub(super) fn wait(&mut self, now: Instant) {
         self.due = now.plus_millis(self.timeout_ms);
     }
