@@ -169,7 +169,7 @@ impl Mapping {
 
     /// Whether it has objects, or each PDO says its own.
     pub(super) const fn is_active(self) -> bool {
-        self.bits != 0
+        self.length != 0
     }
 
     /// Whether each PDO says itself which object it carries.
@@ -182,7 +182,7 @@ impl Mapping {
         (self.count, self.length) = (0, 0);
         let count = parameter_u8(device, index, 0);
         if D::SERVICES.has(ServiceSet::MPDO) && mpdo::is_multiplexed(count.into()) {
-            self.bits = PDO_BITS;
+            self.length = PDO_BITS / 8;
             return;
         }
         let pool = pool.get_mut(usize::from(self.first)..).unwrap_or_default();
