@@ -220,6 +220,7 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
     }
 
     /// `60` or `70`: stays in `Upload` until the last segment.
+    #[inline(never)] // Reading and writing of short values is not to pay for it.
     fn upload_segment<D: Device>(&mut self, now: Instant, device: &mut D, toggle: bool) -> [u8; 8] {
         let State::Upload(upload) = &mut self.state else {
             return self.refuse(self.address(), AbortCode::UNKNOWN_COMMAND);
@@ -247,6 +248,7 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
     }
 
     /// `0x` or `1x`: stays in `Download` until the last segment.
+    #[inline(never)]
     fn download_segment<D: Device>(
         &mut self,
         now: Instant,
