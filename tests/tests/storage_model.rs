@@ -102,6 +102,8 @@ fn group_of(index: u16) -> Group {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     #[test]
     fn any_stored_configuration_comes_back(configured in vec(any_configuration(), 1..5), memory in any_memory()) {
         let memory = memory(storage::room(&mut device(&Memory::flash(8))).next_multiple_of(8));
@@ -175,7 +177,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(6))]
 
     #[test]
     fn a_write_torn_at_any_byte_leaves_the_old_or_the_new_configuration(

@@ -72,8 +72,7 @@ impl<D: Device> Node<D> {
             storage::show_capabilities(device);
         }
         if let Some(image) = image {
-            // It is whole: `newest` has read it.
-            let _ = storage::load(device, image, reset);
+            storage::load(device, image, reset);
         }
     }
 }

@@ -37,15 +37,19 @@ impl Change {
 /// Writes a new image, and reads it again.
 pub(crate) fn change<D: Device>(device: &mut D, change: Change) -> Result<(), Failed> {
     let old = newest(device);
-    let mut writer = Writer::begin(device.storage().ok_or(Failed)?, old)?;
+    let storage = device.storage().ok_or(Failed)?;
+    let mut writer = Writer::begin(storage, old);
     if let Change::Set(settings) = change {
-        set(device, &mut writer, settings)?;
+        // The first record, so that it is found soon.
+        let bytes = settings.bytes();
+        writer.record(storage, SETTINGS, bytes.len());
+        writer.put(storage, &bytes);
     }
     if let Some(old) = old {
-        copy(device, &mut writer, old, change)?;
+        copy(device, &mut writer, old, change);
     }
     if let Change::Save(group) = change {
-        save(device, &mut writer, group)?;
+        save(device, &mut writer, group);
     }
     let new = writer.end(device.storage().ok_or(Failed)?)?;
     if newest(device) == Some(new) {
@@ -67,76 +71,61 @@ pub(super) fn room<D: Device>(device: &mut D) -> usize {
     room
 }
 
-/// What LSS has configured. It is the first record, so that it is found soon.
-fn set<D: Device>(device: &mut D, writer: &mut Writer, settings: Settings) -> Result<(), Failed> {
-    let storage = device.storage().ok_or(Failed)?;
-    let bytes = settings.bytes();
-    writer.record(storage, SETTINGS, bytes.len())?;
-    writer.put(storage, &bytes)
-}
-
 /// What stays of the old image. Objects that are not there any more do not.
-fn copy<D: Device>(device: &mut D, writer: &mut Writer, old: Image, change: Change) -> Result<(), Failed> {
+fn copy<D: Device>(device: &mut D, writer: &mut Writer, old: Image, change: Change) {
     let mut reader = Reader::of(old);
-    loop {
-        let record = reader.record(device.storage().ok_or(Failed)?).ok_or(Failed)?;
-        if record.is_end() {
-            return Ok(());
-        }
-        let Record { address, length } = record;
+    while let Some(Record { address, length }) = device.storage().and_then(|storage| reader.record(storage)) {
         let stays = match address {
             SETTINGS => !matches!(change, Change::Set(_)),
             address => group_of(device, address).is_some_and(|group| change.keeps(address, group)),
         };
-        let storage = device.storage().ok_or(Failed)?;
-        if stays {
-            writer.record(storage, address, length)?;
+        let Some(storage) = device.storage() else { return };
+        if !stays {
+            reader.skip(storage, length);
+            continue;
         }
+        writer.record(storage, address, length);
         for _ in 0..length {
             let mut byte = [0];
-            reader.fill(storage, &mut byte).ok_or(Failed)?;
-            if stays {
-                writer.put(storage, &byte)?;
-            }
+            reader.fill(storage, &mut byte);
+            writer.put(storage, &byte);
         }
     }
 }
 
 /// The group's values of now.
-fn save<D: Device>(device: &mut D, writer: &mut Writer, saved: Group) -> Result<(), Failed> {
+fn save<D: Device>(device: &mut D, writer: &mut Writer, saved: Group) {
     for place in 0..device.table().entries.len() {
         if let Some((entry, group)) = stored(device, place) {
             if saved.includes(group) {
-                save_value(device, writer, entry)?;
+                save_value(device, writer, entry);
             }
         }
     }
-    Ok(())
 }
 
-fn save_value<D: Device>(device: &mut D, writer: &mut Writer, entry: Entry) -> Result<(), Failed> {
+fn save_value<D: Device>(device: &mut D, writer: &mut Writer, entry: Entry) {
     let (length, bits) = match od::load(device, entry) {
         Ok(Value::Number { bits, .. }) => (entry.data_type.length(), bits),
         Ok(Value::Bytes(bytes)) => (bytes.len(), 0),
-        Err(_) => return Err(Failed),
+        Err(_) => return,
     };
-    writer.record(device.storage().ok_or(Failed)?, entry.address(), length)?;
-    if let Some(bytes) = bits
-        .to_le_bytes()
-        .get(..entry.data_type.length())
-        .filter(|bytes| !bytes.is_empty())
-    {
-        return writer.put(device.storage().ok_or(Failed)?, bytes);
+    let Some(storage) = device.storage() else { return };
+    writer.record(storage, entry.address(), length);
+    if entry.data_type.length() != 0 {
+        writer.put(storage, bits.to_le_bytes().get(..length).unwrap_or(&[]));
+        return;
     }
     // Byte by byte, as the string and the storage are both the device's.
     for nth in 0..length {
-        let Ok(Value::Bytes(bytes)) = od::load(device, entry) else {
-            return Err(Failed);
+        let byte = match od::load(device, entry) {
+            Ok(Value::Bytes(bytes)) => bytes.get(nth).copied(),
+            _ => None,
         };
-        let byte = bytes.get(nth).copied().ok_or(Failed)?;
-        writer.put(device.storage().ok_or(Failed)?, &[byte])?;
+        if let Some(storage) = device.storage() {
+            writer.put(storage, &[byte.unwrap_or(0)]);
+        }
     }
-    Ok(())
 }
 
 /// The entry in that place of the table and its group, if it is stored.

@@ -46,11 +46,6 @@ impl Record {
     pub(super) const HEAD: usize = 5;
     /// Bytes of an image that are no records: its head, its end, its check value, and what fills the last word.
     pub(super) const AROUND: usize = 8 + Self::HEAD + 4 + 7;
-
-    /// Whether no more follow.
-    pub(super) fn is_end(&self) -> bool {
-        self.address == END
-    }
 }
 
 /// The newest whole image.
@@ -74,31 +69,24 @@ pub(crate) fn newest<D: Device>(device: &mut D) -> Option<Image> {
 #[inline(never)]
 fn whole<S: Storage>(storage: &mut S, slot: Slot) -> Option<Image> {
     let mut reader = Reader::new(slot);
-    let mut head = [0; 8];
-    reader.fill(storage, &mut head)?;
-    let [m0, m1, m2, m3, s0, s1, s2, s3] = head;
+    let [m0, m1, m2, m3, s0, s1, s2, s3] = reader.word(storage);
     if [m0, m1, m2, m3] != MAGIC {
         return None;
     }
     let sequence = u32::from_le_bytes([s0, s1, s2, s3]);
-    loop {
-        let record = reader.record(storage)?;
-        if record.is_end() {
-            break;
-        }
-        for _ in 0..record.length {
-            reader.fill(storage, &mut [0])?;
-        }
+    while let Some(record) = reader.record(storage) {
+        reader.skip(storage, record.length);
     }
     let expected = (!reader.check).to_le_bytes();
     let mut check = [0; 4];
-    reader.fill(storage, &mut check)?;
-    (check == expected).then_some(Image { slot, sequence })
+    reader.fill(storage, &mut check);
+    (check == expected && !reader.has_failed).then_some(Image { slot, sequence })
 }
 
-/// Reads a slot from its beginning on.
+/// Reads a slot from its beginning on. What cannot be read is 0, and so the records come to an end.
 pub(super) struct Reader {
     slot: Slot,
+    has_failed: bool,
     offset: usize,
     word: [u8; 8],
     check: u32,
@@ -108,6 +96,7 @@ impl Reader {
     fn new(slot: Slot) -> Self {
         Self {
             slot,
+            has_failed: false,
             offset: 0,
             word: [0; 8],
             check: CRC_START,
@@ -122,36 +111,51 @@ impl Reader {
         }
     }
 
-    /// The next bytes; `None` when they cannot be read.
+    /// The next bytes.
     #[inline(never)]
-    pub(super) fn fill<S: Storage>(&mut self, storage: &mut S, bytes: &mut [u8]) -> Option<()> {
+    pub(super) fn fill<S: Storage>(&mut self, storage: &mut S, bytes: &mut [u8]) {
         for byte in bytes {
             let nth = self.offset % 8;
             if nth == 0 {
-                self.word = storage.read(self.slot, self.offset).ok()?;
+                let word = storage.read(self.slot, self.offset).ok();
+                let word = word.filter(|_| self.offset < LIMIT && !self.has_failed);
+                self.has_failed = word.is_none();
+                self.word = word.unwrap_or_default();
             }
-            *byte = self.word.get(nth).copied().filter(|_| self.offset < LIMIT)?;
+            *byte = self.word.get(nth).copied().unwrap_or(0);
             self.offset += 1;
             self.check = crc(self.check, *byte);
         }
-        Some(())
     }
 
-    /// The next record, the last of which [`Record::is_end`]; `None` when it cannot be read.
+    /// Reads so many bytes for nothing but the check value.
+    pub(super) fn skip<S: Storage>(&mut self, storage: &mut S, bytes: usize) {
+        for _ in 0..bytes {
+            self.fill(storage, &mut [0]);
+        }
+    }
+
+    /// The next record; `None` at the end.
     pub(super) fn record<S: Storage>(&mut self, storage: &mut S) -> Option<Record> {
         let mut head = [0; Record::HEAD];
-        self.fill(storage, &mut head)?;
+        self.fill(storage, &mut head);
         let [i0, i1, sub, l0, l1] = head;
-        Some(Record {
-            address: Address::new(u16::from_le_bytes([i0, i1]), sub),
-            length: usize::from(u16::from_le_bytes([l0, l1])),
-        })
+        let address = Address::new(u16::from_le_bytes([i0, i1]), sub);
+        let length = usize::from(u16::from_le_bytes([l0, l1]));
+        (address != END).then_some(Record { address, length })
+    }
+
+    fn word<S: Storage>(&mut self, storage: &mut S) -> [u8; 8] {
+        let mut word = [0; 8];
+        self.fill(storage, &mut word);
+        word
     }
 }
 
-/// Writes a new image.
+/// Writes a new image. What cannot be written is missed when the image is read again, before it is relied upon.
 pub(super) struct Writer {
     image: Image,
+    has_failed: bool,
     offset: usize,
     word: [u8; 8],
     check: u32,
@@ -159,59 +163,56 @@ pub(super) struct Writer {
 
 impl Writer {
     /// Begins the image that takes the place of `old`, in the other slot.
-    pub(super) fn begin<S: Storage>(storage: &mut S, old: Option<Image>) -> Result<Self, Failed> {
-        let image = Image {
-            slot: old.map_or(Slot::A, |old| old.slot.other()),
-            sequence: old.map_or(0, |old| old.sequence.wrapping_add(1)),
+    pub(super) fn begin<S: Storage>(storage: &mut S, old: Option<Image>) -> Self {
+        let (slot, sequence) = match old {
+            Some(old) => (old.slot.other(), old.sequence.wrapping_add(1)),
+            None => (Slot::A, 0),
         };
         let mut writer = Self {
-            image,
+            image: Image { slot, sequence },
+            has_failed: storage.erase(slot).is_err(),
             offset: 0,
             word: [0; 8],
             check: CRC_START,
         };
-        storage.erase(image.slot)?;
-        writer.put(storage, &MAGIC)?;
-        writer.put(storage, &image.sequence.to_le_bytes())?;
-        Ok(writer)
+        writer.put(storage, &MAGIC);
+        writer.put(storage, &sequence.to_le_bytes());
+        writer
     }
 
     /// The next bytes.
     #[inline(never)]
-    pub(super) fn put<S: Storage>(&mut self, storage: &mut S, bytes: &[u8]) -> Result<(), Failed> {
+    pub(super) fn put<S: Storage>(&mut self, storage: &mut S, bytes: &[u8]) {
         for byte in bytes {
             if let Some(place) = self.word.get_mut(self.offset % 8) {
                 *place = *byte;
             }
             self.check = crc(self.check, *byte);
             self.offset += 1;
-            if self.offset % 8 == 0 {
-                storage.write(self.image.slot, self.offset - 8, self.word)?;
+            if self.offset % 8 == 0 && !self.has_failed {
+                self.has_failed = storage.write(self.image.slot, self.offset - 8, self.word).is_err();
             }
         }
-        Ok(())
     }
 
     /// Begins a record; its value, of `length` bytes, is to follow.
     #[allow(clippy::cast_possible_truncation)] // A dictionary has 64 KiB of values.
-    pub(super) fn record<S: Storage>(
-        &mut self,
-        storage: &mut S,
-        address: Address,
-        length: usize,
-    ) -> Result<(), Failed> {
+    pub(super) fn record<S: Storage>(&mut self, storage: &mut S, address: Address, length: usize) {
         let [i0, i1] = address.index.to_le_bytes();
         let [l0, l1] = (length as u16).to_le_bytes();
-        self.put(storage, &[i0, i1, address.sub, l0, l1])
+        self.put(storage, &[i0, i1, address.sub, l0, l1]);
     }
 
     /// Ends the image, and gives it.
     pub(super) fn end<S: Storage>(mut self, storage: &mut S) -> Result<Image, Failed> {
-        self.record(storage, END, 0)?;
+        self.record(storage, END, 0);
         let check = (!self.check).to_le_bytes();
-        self.put(storage, &check)?;
+        self.put(storage, &check);
         while self.offset % 8 != 0 {
-            self.put(storage, &[0xFF])?;
+            self.put(storage, &[0xFF]);
+        }
+        if self.has_failed {
+            return Err(Failed);
         }
         storage.finish(self.image.slot)?;
         Ok(self.image)

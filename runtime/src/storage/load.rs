@@ -19,7 +19,7 @@ pub(crate) fn settings<D: Device>(device: &mut D, image: Image) -> Option<Settin
         return None;
     }
     let mut bytes = [0; 2];
-    reader.fill(storage, &mut bytes)?;
+    reader.fill(storage, &mut bytes);
     let [node_id, bit_rate] = bytes;
     Some(Settings {
         node_id: NodeId::new(node_id).unwrap_or(NodeId::NONE),
@@ -28,19 +28,16 @@ pub(crate) fn settings<D: Device>(device: &mut D, image: Image) -> Option<Settin
 }
 
 /// Gives the values that `reset` is about what is stored of them.
-pub(crate) fn load<D: Device>(device: &mut D, image: Image, reset: Reset) -> Option<()> {
+pub(crate) fn load<D: Device>(device: &mut D, image: Image, reset: Reset) {
     let mut reader = Reader::of(image);
     let mut buffer = device.buffer();
-    loop {
-        let storage = device.storage()?;
-        let record = reader.record(storage)?;
-        if record.is_end() {
-            return Some(());
-        }
-        match buffer.as_mut().get_mut(..record.length) {
-            Some(value) => reader.fill(storage, value)?,
-            // Longer than the longest value, and so none.
-            None => (0..record.length).try_for_each(|_| reader.fill(storage, &mut [0]))?,
+    while let Some(record) = device.storage().and_then(|storage| reader.record(storage)) {
+        let Some(storage) = device.storage() else { return };
+        // What is longer than the longest value is none.
+        let value = buffer.as_mut().get_mut(..record.length);
+        match value {
+            Some(value) => reader.fill(storage, value),
+            None => reader.skip(storage, record.length),
         }
         let is_meant = record.address != SETTINGS && is_about(device, reset, record.address);
         let value = buffer.as_ref().get(..record.length);
