@@ -150,6 +150,22 @@ fn a_device_without_storage_says_so_and_refuses() {
 }
 
 #[test]
+fn a_command_that_the_application_answers_for_is_its_own() {
+    let memory = Memory::flash(256);
+    let handled = objects().into_iter().map(|object| match object.address.index {
+        0x1010 => object.with(Access::WRITE_HANDLER),
+        _ => object,
+    });
+    let handled: Vec<Object> = handled.collect();
+    let mut bus = Bus::booted(Simulated::new(&handled).with_memory(&memory), 1);
+    bus.send("601#4010100100000000").expect("581#43101001FF000000");
+    bus.send("601#2310100101020304").expect("581#6010100100000000");
+    assert_eq!(memory.erased(), 0);
+    bus.send(LOAD_ALL).expect("581#60..");
+    assert_eq!(memory.erased(), 1);
+}
+
+#[test]
 fn each_group_is_saved_for_itself() {
     for (sub, expected) in [
         (2, [CHANGED[0], DEFAULTS[1], DEFAULTS[2]]),

@@ -102,7 +102,7 @@ fn group_of(index: u16) -> Group {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::with_cases(32))]
 
     #[test]
     fn any_stored_configuration_comes_back(configured in vec(any_configuration(), 1..5), memory in any_memory()) {
@@ -177,7 +177,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(6))]
+    #![proptest_config(ProptestConfig::with_cases(3))]
 
     #[test]
     fn a_write_torn_at_any_byte_leaves_the_old_or_the_new_configuration(

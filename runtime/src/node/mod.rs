@@ -65,7 +65,7 @@ pub struct Node<D: Device> {
 
 impl<D: Device> Node<D> {
     /// A node after power-on; its first [`Node::poll`] gives the boot-up message. The dictionary's formulas of `$NODEID`
-    /// get their values now.
+    /// get their values now, then what is stored ([`crate::storage`]); a node-ID that LSS has stored takes the place of `node_id`.
     #[must_use]
     pub fn new(device: D, node_id: NodeId) -> Self {
         Self::start(device, node_id)

@@ -48,6 +48,71 @@ use crate::od::{Device, Entry, ServiceSet};
 /// programmed as it comes, and where it is programmed in larger units words may be collected until [`Storage::finish`].
 ///
 /// The calls block: a client waits for the answer to its save that long, and the node does nothing else.
+///
+/// Flash that is programmed 32 bytes at a time, in two pages:
+///
+/// ```
+/// use lexican_runtime::storage::{Failed, Slot, Storage};
+/// # struct Flash([u8; 4096]);
+/// # impl Flash {
+/// #     fn read(&self, at: usize) -> [u8; 8] { self.0[at..at + 8].try_into().unwrap() }
+/// #     fn erase_page(&mut self, page: usize) { self.0[page * 2048..][..2048].fill(0xFF) }
+/// #     fn program(&mut self, at: usize, unit: &[u8; 32]) -> bool { self.0[at..at + 32].copy_from_slice(unit); true }
+/// # }
+///
+/// struct Pages {
+///     flash: Flash,
+///     /// What is programmed next, and how much of it there is.
+///     unit: [u8; 32],
+///     used: usize,
+///     next: usize,
+/// }
+///
+/// const PAGE: usize = 2048;
+///
+/// impl Storage for Pages {
+///     fn read(&mut self, slot: Slot, offset: usize) -> Result<[u8; 8], Failed> {
+///         if offset >= PAGE {
+///             return Err(Failed);
+///         }
+///         Ok(self.flash.read(slot as usize * PAGE + offset))
+///     }
+///
+///     fn erase(&mut self, slot: Slot) -> Result<(), Failed> {
+///         self.flash.erase_page(slot as usize);
+///         (self.unit, self.used, self.next) = ([0xFF; 32], 0, slot as usize * PAGE);
+///         Ok(())
+///     }
+///
+///     fn write(&mut self, slot: Slot, offset: usize, word: [u8; 8]) -> Result<(), Failed> {
+///         if offset >= PAGE {
+///             return Err(Failed);
+///         }
+///         self.unit[self.used..][..8].copy_from_slice(&word);
+///         self.used += 8;
+///         if self.used == 32 {
+///             self.finish(slot)?;
+///         }
+///         Ok(())
+///     }
+///
+///     fn finish(&mut self, _: Slot) -> Result<(), Failed> {
+///         if self.used != 0 && !self.flash.program(self.next, &self.unit) {
+///             return Err(Failed);
+///         }
+///         (self.unit, self.used, self.next) = ([0xFF; 32], 0, self.next + 32);
+///         Ok(())
+///     }
+/// }
+/// # let mut pages = Pages { flash: Flash([0; 4096]), unit: [0; 32], used: 0, next: 0 };
+/// # pages.erase(Slot::B).unwrap();
+/// # for word in 0..5 { pages.write(Slot::B, 8 * word, [word as u8; 8]).unwrap(); }
+/// # pages.finish(Slot::B).unwrap();
+/// # for word in 0..5 { assert_eq!(pages.read(Slot::B, 8 * word), Ok([word as u8; 8])); }
+/// # assert_eq!(pages.read(Slot::B, 40), Ok([0xFF; 8]));
+/// ```
+///
+/// The device takes it when it is made: `wdga::Device::with_storage(handlers, pages)`.
 pub trait Storage {
     /// What 1010h says that this storage does ([`SAVES_ON_COMMAND`], [`SAVES_AUTONOMOUSLY`]); 0 for nothing at all.
     const CAPABILITIES: u32 = SAVES_ON_COMMAND;
