@@ -70,6 +70,9 @@ impl Builder {
     ///
     /// An index stands for all values of its object, `(index, sub_index)` for one: `.handle([0x6003, 0x6004])`,
     /// `.handle([(0x1010, 1)])`. An object that the file calls constant becomes a field of the dictionary.
+    ///
+    /// A DOMAIN that is handled in any way may have any length, as the dictionary has no room for it: the application gives
+    /// and takes it in parts, as many bytes at a time as [`Builder::capacity`] says, in all directions that clients have.
     pub fn handle<S: Into<Selector>>(mut self, objects: impl IntoIterator<Item = S>) -> Self {
         let objects: Vec<Selector> = objects.into_iter().map(Into::into).collect();
         self.options.reads.extend(&objects);

@@ -4,12 +4,12 @@ pub mod every_kind {
     //! * Vendor: `Lexican`
     //! * Order code: `EK-1`
     //! * Description: `Every kind of object`
-    //! * 404 values of 111 objects; 896 bytes of RAM
+    //! * 404 values of 111 objects; 792 bytes of RAM
     use core::mem::offset_of;
     use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
-        Access, Boolean, DataType, Extra, NumberSet, OctetString, Row, ServiceSet, Table,
-        TimeOfDay, Value, VisibleString, place, set_element,
+        Access, Boolean, DataType, Extra, NumberSet, OctetString, Part, Row, ServiceSet,
+        Table, TimeOfDay, Value, VisibleString, place, set_element,
     };
     /// The values of the dictionary, the widest first, so that nothing stands between them.
     #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -212,8 +212,6 @@ pub mod every_kind {
         pub command: u8,
         /// 2602h `Note`, `VISIBLE_STRING`, rw, at most 3 bytes, default `abc`
         pub note: VisibleString<3>,
-        /// 2603h `Program`, `DOMAIN`, rw, at most 100 bytes
-        pub program: OctetString<100>,
         /// 2604h `Clock`, `TIME_OF_DAY`, rw
         pub clock: TimeOfDay,
         /// 2605h `Motto`, `VISIBLE_STRING`, const, at most 23 bytes, default `const, but answered for`
@@ -223,7 +221,7 @@ pub mod every_kind {
         /// * `[0]`: `Switch 1`, default `false`
         /// * `[1]`: `Switch 2`, default `true`
         pub switches: [Boolean; 2],
-        _padding: [u8; 3],
+        _padding: [u8; 1],
     }
     impl Dictionary {
         /// 1000h `Device type`, `UNSIGNED32`, ro
@@ -417,11 +415,10 @@ pub mod every_kind {
             switch: Boolean::new(false),
             command: 0,
             note: VisibleString::new(b"abc"),
-            program: OctetString::EMPTY,
             clock: TimeOfDay::new(0, 0),
             motto: VisibleString::new(b"const, but answered for"),
             switches: [Boolean::new(false), Boolean::new(true)],
-            _padding: [0; 3],
+            _padding: [0; 1],
         };
         /// The values after power-on of the node `node_id`.
         #[must_use]
@@ -465,16 +462,6 @@ pub mod every_kind {
             &mut self,
             od: &mut Dictionary,
         ) -> Result<VisibleString<3>, AbortCode>;
-        /// 2603h `Program`, `DOMAIN`, rw, at most 100 bytes
-        ///
-        /// Called before a client reads it: gives the value, which is stored in `od` and sent.
-        ///
-        /// # Errors
-        /// The abort code that the client is answered with.
-        fn read_program(
-            &mut self,
-            od: &mut Dictionary,
-        ) -> Result<OctetString<100>, AbortCode>;
         /// 2604h `Clock`, `TIME_OF_DAY`, rw
         ///
         /// Called before a client reads it: gives the value, which is stored in `od` and sent.
@@ -585,17 +572,6 @@ pub mod every_kind {
             od: &mut Dictionary,
             value: &[u8],
         ) -> Result<(), AbortCode>;
-        /// 2603h `Program`, `DOMAIN`, rw, at most 100 bytes
-        ///
-        /// Called before a client's value, which is within the limits, is stored in `od`.
-        ///
-        /// # Errors
-        /// The abort code that the client is answered with; then nothing is stored.
-        fn write_program(
-            &mut self,
-            od: &mut Dictionary,
-            value: &[u8],
-        ) -> Result<(), AbortCode>;
         /// 2604h `Clock`, `TIME_OF_DAY`, rw
         ///
         /// Called before a client's value, which is within the limits, is stored in `od`.
@@ -632,6 +608,29 @@ pub mod every_kind {
             &mut self,
             od: &mut Dictionary,
             value: u32,
+        ) -> Result<(), AbortCode>;
+        /// 2603h `Program`, `DOMAIN`, rw, in parts of at most 100 bytes
+        ///
+        /// Called while a client reads it: copies its bytes from `offset` on into `buffer`, as many as there are and fit, and gives the length of the whole value. [`lexican_runtime::od::copy_part`] does so with bytes in memory.
+        ///
+        /// # Errors
+        /// The abort code that the client is answered with.
+        fn read_program(
+            &mut self,
+            od: &mut Dictionary,
+            offset: usize,
+            buffer: &mut [u8],
+        ) -> Result<usize, AbortCode>;
+        /// 2603h `Program`, `DOMAIN`, rw, in parts of at most 100 bytes
+        ///
+        /// Called while a client writes it: once without bytes, when it begins, then with each part in turn.
+        ///
+        /// # Errors
+        /// The abort code that the client is answered with.
+        fn write_program(
+            &mut self,
+            od: &mut Dictionary,
+            part: Part<'_>,
         ) -> Result<(), AbortCode>;
     }
     /// The device: its dictionary, the application behind it, and the memory that outlives power-off.
@@ -713,9 +712,6 @@ pub mod every_kind {
                     handlers.read_switch(od).map(|value| od.switch = value.into())
                 }
                 (0x2602, 0x00) => handlers.read_note(od).map(|value| od.note = value),
-                (0x2603, 0x00) => {
-                    handlers.read_program(od).map(|value| od.program = value)
-                }
                 (0x2604, 0x00) => handlers.read_clock(od).map(|value| od.clock = value),
                 (0x2605, 0x00) => handlers.read_motto(od).map(|value| od.motto = value),
                 (0x2606, sub @ 0x01..=0x02) => {
@@ -752,13 +748,35 @@ pub mod every_kind {
                 (0x2600, 0x00) => handlers.write_switch(od, value.to_bool()),
                 (0x2601, 0x00) => handlers.write_command(od, value.to_u8()),
                 (0x2602, 0x00) => handlers.write_note(od, value.to_bytes()),
-                (0x2603, 0x00) => handlers.write_program(od, value.to_bytes()),
                 (0x2604, 0x00) => handlers.write_clock(od, value.to_time()),
                 (0x2606, sub @ 0x01..=0x02) => {
                     handlers.write_switches(od, sub, value.to_bool())
                 }
                 (0x6003, 0x00) => handlers.write_preset_value(od, value.to_u32()),
                 _ => Ok(()),
+            }
+        }
+        fn read_part(
+            &mut self,
+            address: Address,
+            offset: usize,
+            buffer: &mut [u8],
+        ) -> Result<usize, AbortCode> {
+            let Self { od, handlers, .. } = self;
+            match (address.index, address.sub) {
+                (0x2603, 0x00) => handlers.read_program(od, offset, buffer),
+                _ => Err(AbortCode::NO_DATA),
+            }
+        }
+        fn write_part(
+            &mut self,
+            address: Address,
+            part: Part<'_>,
+        ) -> Result<(), AbortCode> {
+            let Self { od, handlers, .. } = self;
+            match (address.index, address.sub) {
+                (0x2603, 0x00) => handlers.write_program(od, part),
+                _ => Err(AbortCode::NOT_STORED),
             }
         }
     }
@@ -910,12 +928,12 @@ pub mod every_kind {
         Row::value(0x2600, 0x00, DataType::BOOLEAN, RW.with(Access::READ_HANDLER).with(Access::WRITE_HANDLER), offset_of!(Dictionary, switch)),
         Row::value(0x2601, 0x00, DataType::UNSIGNED8, WO.with(Access::EXTRA).with(Access::WRITE_HANDLER), 25),
         Row::value(0x2602, 0x00, DataType::VISIBLE_STRING, RW.with(Access::EXTRA).with(Access::READ_HANDLER).with(Access::WRITE_HANDLER), 26),
-        Row::value(0x2603, 0x00, DataType::DOMAIN, RW.with(Access::EXTRA).with(Access::READ_HANDLER).with(Access::WRITE_HANDLER), 27),
+        Row::value(0x2603, 0x00, DataType::DOMAIN, RW.with(Access::CONSTANT).with(Access::PARTS), 0),
         Row::value(0x2604, 0x00, DataType::TIME_OF_DAY, RW.with(Access::READ_HANDLER).with(Access::WRITE_HANDLER), offset_of!(Dictionary, clock)),
-        Row::value(0x2605, 0x00, DataType::VISIBLE_STRING, RO.with(Access::EXTRA).with(Access::READ_HANDLER), 28),
+        Row::value(0x2605, 0x00, DataType::VISIBLE_STRING, RO.with(Access::EXTRA).with(Access::READ_HANDLER), 27),
         Row::value(0x2606, 0x00, DataType::UNSIGNED8, CONST, 229),
         Row::elements(0x2606, 0x01, 0x02, DataType::BOOLEAN, RW.with(Access::READ_HANDLER).with(Access::WRITE_HANDLER), offset_of!(Dictionary, switches)),
-        Row::value(0x6003, 0x00, DataType::UNSIGNED32, RW.with(Access::EXTRA).with(Access::WRITE_HANDLER), 29),
+        Row::value(0x6003, 0x00, DataType::UNSIGNED32, RW.with(Access::EXTRA).with(Access::WRITE_HANDLER), 28),
         Row::value(0x6004, 0x00, DataType::UNSIGNED32, RO.with(Access::TPDO).with(Access::READ_HANDLER), offset_of!(Dictionary, position_value)),
         Row::value(0x6030, 0x00, DataType::UNSIGNED8, CONST, 215),
         Row::elements(0x6030, 0x01, 0x03, DataType::INTEGER16, RO.with(Access::TPDO).with(Access::READ_HANDLER), offset_of!(Dictionary, speed_value)),
@@ -935,7 +953,7 @@ pub mod every_kind {
     ];
 
     #[rustfmt::skip]
-    const EXTRAS: [Extra; 30] = [
+    const EXTRAS: [Extra; 29] = [
         Extra::new(4, 10), // 1008sub0
         Extra::new(14, 3), // 1009sub0
         Extra::new(offset_of!(Dictionary, manufacturer_software_version), 32), // 100Asub0
@@ -963,7 +981,6 @@ pub mod every_kind {
         Extra::new(237, 3), // 2305sub2
         Extra::new(offset_of!(Dictionary, command), 244), // 2601sub0
         Extra::new(offset_of!(Dictionary, note), 3), // 2602sub0
-        Extra::new(offset_of!(Dictionary, program), 100), // 2603sub0
         Extra::new(offset_of!(Dictionary, motto), 23), // 2605sub0
         Extra::new(offset_of!(Dictionary, preset_value), 246), // 6003sub0
     ];

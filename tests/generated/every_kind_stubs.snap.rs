@@ -1,6 +1,6 @@
 // The application behind `every_kind`. `lexican generate --stubs` wrote it as a start; it is yours now.
 
-use lexican_runtime::{AbortCode, od::{OctetString, TimeOfDay, VisibleString}};
+use lexican_runtime::{AbortCode, od::{Part, TimeOfDay, VisibleString}};
 
 use crate::every_kind::{Dictionary, Handlers};
 
@@ -17,11 +17,6 @@ impl Handlers for App {
     /// 2602h `Note`
     fn read_note(&mut self, od: &mut Dictionary) -> Result<VisibleString<3>, AbortCode> {
         Ok(od.note)
-    }
-
-    /// 2603h `Program`
-    fn read_program(&mut self, od: &mut Dictionary) -> Result<OctetString<100>, AbortCode> {
-        Ok(od.program)
     }
 
     /// 2604h `Clock`
@@ -84,11 +79,6 @@ impl Handlers for App {
         Ok(())
     }
 
-    /// 2603h `Program`
-    fn write_program(&mut self, _od: &mut Dictionary, _value: &[u8]) -> Result<(), AbortCode> {
-        Ok(())
-    }
-
     /// 2604h `Clock`
     fn write_clock(&mut self, _od: &mut Dictionary, _value: TimeOfDay) -> Result<(), AbortCode> {
         Ok(())
@@ -106,6 +96,21 @@ impl Handlers for App {
 
     /// 6003h `Preset value`
     fn write_preset_value(&mut self, _od: &mut Dictionary, _value: u32) -> Result<(), AbortCode> {
+        Ok(())
+    }
+
+    /// 2603h `Program`
+    fn read_program(
+        &mut self,
+        _od: &mut Dictionary,
+        _offset: usize,
+        _buffer: &mut [u8],
+    ) -> Result<usize, AbortCode> {
+        Err(AbortCode::NO_DATA)
+    }
+
+    /// 2603h `Program`
+    fn write_program(&mut self, _od: &mut Dictionary, _part: Part<'_>) -> Result<(), AbortCode> {
         Ok(())
     }
 }

@@ -3,10 +3,12 @@
 
 use lexican_runtime::{
     AbortCode, Address, Device as _, NodeId,
-    od::{self, OctetString, TimeOfDay, VisibleString},
+    od::{self, Part, TimeOfDay, VisibleString},
+    sdo::crc,
 };
 use lexican_tests::{
     bus::Bus,
+    client::{Manner, download, upload},
     generated::every_kind::{Device, Dictionary, Handlers},
 };
 
@@ -14,6 +16,7 @@ use lexican_tests::{
 #[derive(Default)]
 struct App {
     log: Vec<String>,
+    program: Vec<u8>,
 }
 
 impl Handlers for App {
@@ -25,8 +28,12 @@ impl Handlers for App {
         Ok(VisibleString::new(b"now"))
     }
 
-    fn read_program(&mut self, _: &mut Dictionary) -> Result<OctetString<100>, AbortCode> {
-        Err(AbortCode::NO_DATA)
+    fn read_program(&mut self, _: &mut Dictionary, offset: usize, buffer: &mut [u8]) -> Result<usize, AbortCode> {
+        if self.program.is_empty() {
+            return Err(AbortCode::NO_DATA);
+        }
+        self.log.push(format!("program from {offset}"));
+        Ok(od::copy_part(&self.program, offset, buffer))
     }
 
     fn read_clock(&mut self, _: &mut Dictionary) -> Result<TimeOfDay, AbortCode> {
@@ -78,8 +85,15 @@ impl Handlers for App {
         Ok(())
     }
 
-    fn write_program(&mut self, _: &mut Dictionary, value: &[u8]) -> Result<(), AbortCode> {
-        self.log.push(format!("program of {} bytes", value.len()));
+    fn write_program(&mut self, _: &mut Dictionary, part: Part<'_>) -> Result<(), AbortCode> {
+        if part.is_first() {
+            self.program.clear();
+        }
+        assert_eq!(part.offset, self.program.len(), "the parts come in order");
+        self.program.extend(part.bytes);
+        let end = if part.is_last { ", the last" } else { "" };
+        self.log
+            .push(format!("program {}+{}{end}", part.offset, part.bytes.len()));
         Ok(())
     }
 
@@ -194,7 +208,7 @@ fn the_application_gives_what_is_read() {
     assert_eq!(read(&mut device, 0x2600, 0).unwrap(), [1]);
     assert_eq!(read(&mut device, 0x2602, 0).unwrap(), b"now");
     assert_eq!(device.od.note.as_str(), Some("now"), "what is sent is stored too");
-    assert_eq!(read(&mut device, 0x2603, 0), Err(AbortCode::NO_DATA));
+    assert_eq!(read(&mut device, 0x2603, 0), Err(AbortCode::UNSUPPORTED_ACCESS));
     assert_eq!(read(&mut device, 0x2604, 0).unwrap(), [2, 0, 0, 0, 1, 0]);
     assert_eq!(
         read(&mut device, 0x2605, 0).unwrap(),
@@ -218,7 +232,6 @@ fn the_application_is_asked_before_a_value_is_stored() {
     assert_eq!(write(&mut device, 0x2601, 0, &[3]), Err(AbortCode::DEVICE_STATE));
     assert_eq!(write(&mut device, 0x2601, 0, &[4]), Err(AbortCode::VALUE_TOO_HIGH));
     write(&mut device, 0x2602, 0, b"x").unwrap();
-    write(&mut device, 0x2603, 0, &[7; 100]).unwrap();
     write(&mut device, 0x2604, 0, &[3, 0, 0, 0, 4, 0]).unwrap();
     write(&mut device, 0x2606, 2, &[0]).unwrap();
     write(&mut device, 0x6003, 0, &[5, 0, 0, 0]).unwrap();
@@ -228,7 +241,6 @@ fn the_application_is_asked_before_a_value_is_stored() {
         "command 2 after 0",
         "command 3 after 2",
         "note [78]",
-        "program of 100 bytes",
         "clock 4 d 3 ms",
         "switches 2 false",
         "preset 5",
@@ -236,7 +248,6 @@ fn the_application_is_asked_before_a_value_is_stored() {
     assert_eq!(device.handlers.log, log);
     assert_eq!(device.od.command, 2, "what was refused is not stored");
     assert!(device.od.switch.get());
-    assert_eq!(device.od.program.as_bytes(), [7; 100]);
 }
 
 #[test]
@@ -254,4 +265,71 @@ fn a_tpdo_asks_the_application_for_its_values() {
     bus.node().device_mut().od.position_value = 0x1122_3343;
     assert!(bus.node().trigger_tpdo(1));
     bus.advance(0).expect("181#44332211FFFF").silence();
+}
+
+/// Writes 250 bytes to the DOMAIN in segments of seven, reads them back, and gives what the application saw of it.
+#[test]
+fn a_domain_of_any_length_goes_through_the_application_in_parts() {
+    let address = Address::new(0x2603, 0);
+    let value: Vec<u8> = (0..250).collect();
+    let segmented = Manner::Segmented {
+        step: 7,
+        announced: true,
+    };
+    let mut bus = Bus::booted(device(), 1);
+    assert_eq!(upload(&mut bus, address), Err(AbortCode::NO_DATA));
+    assert_eq!(download(&mut bus, address, &value, segmented), Ok(()));
+    let log = [
+        "program 0+0",
+        "program 0+98",
+        "program 98+98",
+        "program 196+54, the last",
+    ];
+    assert_eq!(bus.node().device().handlers.log, log);
+    bus.node().device_mut().handlers.log.clear();
+    assert_eq!(upload(&mut bus, address), Ok(value));
+    assert_eq!(
+        bus.node().device().handlers.log,
+        ["program from 0", "program from 98", "program from 196"]
+    );
+    let short = download(&mut bus, address, b"xyz", Manner::Expedited);
+    assert_eq!((short, upload(&mut bus, address)), (Ok(()), Ok(b"xyz".to_vec())));
+}
+
+#[test]
+fn a_domain_goes_in_blocks_of_a_part_each_and_its_last_part_waits_for_the_crc() {
+    let mut bus = Bus::booted(device(), 1);
+    bus.send("601#C403260000000000").expect("581#A40326000E000000"); // 14 segments fit into the buffer
+    bus.node().device_mut().handlers.log.clear();
+    let segment = |sequence: u8| format!("601#{sequence:02X}41424344454647");
+    for sequence in 1..=13 {
+        bus.send(&segment(sequence)).silence();
+    }
+    bus.send(&segment(14)).expect("581#A20E0E0000000000");
+    assert_eq!(bus.node().device().handlers.log, ["program 0+98"]);
+    bus.send(&segment(0x81)).expect("581#A2010E0000000000");
+    let sum = crc(0, &b"ABCDEFG".repeat(15)[..101]);
+    bus.send(&format!("601#D1{:04X}0000000000", (sum ^ 1).swap_bytes()));
+    bus.take();
+    assert_eq!(bus.node().device().handlers.log, ["program 0+98"], "never complete");
+}
+
+#[test]
+fn what_a_client_missed_of_a_domain_is_asked_for_again() {
+    let mut bus = Bus::booted(device(), 1);
+    bus.node().device_mut().handlers.program = (0..=200).collect();
+    let sum = crc(0, &(0..=200).collect::<Vec<u8>>());
+    bus.send("601#A40326007F000000")
+        .expect("581#C6032600C9000000")
+        .send("601#A300000000000000");
+    let sent = std::iter::from_fn(|| bus.take()).count();
+    assert_eq!(sent, 29);
+    // All but the first are lost.
+    bus.send("601#A2017F0000000000");
+    let again: Vec<u8> = std::iter::from_fn(|| bus.take())
+        .flat_map(|frame| frame.data()[1..].to_vec())
+        .collect();
+    assert_eq!(again[..194], (7..=200).collect::<Vec<u8>>());
+    bus.send("601#A21C7F0000000000")
+        .expect(&format!("581#C9{:04X}0000000000", sum.swap_bytes()));
 }

@@ -97,6 +97,7 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
     let (storage_type, storage) = storage(plan);
     let read = reads.first(&quote!());
     let write = writes.first(&quote!(value: Value<'_>));
+    let (read_part, write_part) = (read_part(plan), write_part(plan));
     parse_quote! {
         impl #generics lexican_runtime::Device for #device {
             type Buffer = [u8; #buffer];
@@ -140,6 +141,8 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
 
             #read
             #write
+            #read_part
+            #write_part
         }
     }
 }
@@ -268,6 +271,62 @@ impl Dispatch {
             number => ident(&format!("{name}_{number}")),
         }
     }
+}
+
+/// The choice of who gives a part, if anyone does.
+fn read_part(plan: &Plan<'_>) -> Option<ImplItem> {
+    let arms: Vec<Arm> = plan
+        .parts()
+        .filter(|item| !item.reads.is_empty())
+        .map(read_part_arm)
+        .collect();
+    if arms.is_empty() {
+        return None;
+    }
+    Some(parse_quote! {
+        fn read_part(&mut self, address: Address, offset: usize, buffer: &mut [u8]) -> Result<usize, AbortCode> {
+            let Self { od, handlers, .. } = self;
+            match (address.index, address.sub) {
+                #(#arms,)*
+                _ => Err(AbortCode::NO_DATA),
+            }
+        }
+    })
+}
+
+fn read_part_arm(item: &Item<'_>) -> Arm {
+    let pattern = pattern(item, &item.reads);
+    let method = ident(&format!("read_{}", item.name));
+    let sub = item.is_array.then(|| quote!(sub,));
+    parse_quote!(#pattern => handlers.#method(od, #sub offset, buffer))
+}
+
+/// The choice of who takes a part, if anyone does.
+fn write_part(plan: &Plan<'_>) -> Option<ImplItem> {
+    let arms: Vec<Arm> = plan
+        .parts()
+        .filter(|item| !item.writes.is_empty())
+        .map(write_part_arm)
+        .collect();
+    if arms.is_empty() {
+        return None;
+    }
+    Some(parse_quote! {
+        fn write_part(&mut self, address: Address, part: Part<'_>) -> Result<(), AbortCode> {
+            let Self { od, handlers, .. } = self;
+            match (address.index, address.sub) {
+                #(#arms,)*
+                _ => Err(AbortCode::NOT_STORED),
+            }
+        }
+    })
+}
+
+fn write_part_arm(item: &Item<'_>) -> Arm {
+    let pattern = pattern(item, &item.writes);
+    let method = ident(&format!("write_{}", item.name));
+    let sub = item.is_array.then(|| quote!(sub,));
+    parse_quote!(#pattern => handlers.#method(od, #sub part))
 }
 
 fn read_arm(item: &Item<'_>) -> Arm {

@@ -28,8 +28,17 @@ fn summary(item: &Item<'_>, first: &Entry) -> String {
     ];
     words.push(first.access.name().to_owned());
     words.extend(common(item, limits));
-    if item.storage == Storage::Field {
-        words.extend(item.kind.capacity().map(|capacity| format!("at most {capacity} bytes")));
+    if item.storage != Storage::Constant {
+        let parts = if item.storage == Storage::Parts {
+            "in parts of "
+        } else {
+            ""
+        };
+        words.extend(
+            item.kind
+                .capacity()
+                .map(|capacity| format!("{parts}at most {capacity} bytes")),
+        );
         words.extend(common(item, default));
     }
     if item.entries.iter().any(|entry| entry.pdo_mapping) {

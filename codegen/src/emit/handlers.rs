@@ -12,7 +12,13 @@ use crate::plan::{Item, Plan};
 
 /// `Handlers`; without methods that have to be written it is implemented for `()` too.
 pub(super) fn declaration(plan: &Plan<'_>) -> Vec<SynItem> {
-    let methods: Vec<TraitItem> = plan.reads().map(read).chain(plan.writes().map(write)).collect();
+    let methods: Vec<TraitItem> = plan
+        .reads()
+        .map(read)
+        .chain(plan.writes().map(write))
+        .chain(plan.parts().filter(|item| !item.reads.is_empty()).map(read_part))
+        .chain(plan.parts().filter(|item| !item.writes.is_empty()).map(write_part))
+        .collect();
     let declaration = parse_quote! {
         /// What the application answers for.
         pub trait Handlers {
@@ -54,6 +60,35 @@ fn write(item: &Item<'_>) -> TraitItem {
     parse_quote! {
         #(#docs)*
         fn #name(&mut self, od: &mut Dictionary, #sub value: #value) -> Result<(), AbortCode>;
+    }
+}
+
+fn read_part(item: &Item<'_>) -> TraitItem {
+    let name = ident(&format!("read_{}", item.name));
+    let docs = method_docs(
+        item,
+        "Called while a client reads it: copies its bytes from `offset` on into `buffer`, as many as there are and fit, and \
+         gives the length of the whole value. [`lexican_runtime::od::copy_part`] does so with bytes in memory.",
+        "",
+    );
+    let sub = sub_parameter(item);
+    parse_quote! {
+        #(#docs)*
+        fn #name(&mut self, od: &mut Dictionary, #sub offset: usize, buffer: &mut [u8]) -> Result<usize, AbortCode>;
+    }
+}
+
+fn write_part(item: &Item<'_>) -> TraitItem {
+    let name = ident(&format!("write_{}", item.name));
+    let docs = method_docs(
+        item,
+        "Called while a client writes it: once without bytes, when it begins, then with each part in turn.",
+        "",
+    );
+    let sub = sub_parameter(item);
+    parse_quote! {
+        #(#docs)*
+        fn #name(&mut self, od: &mut Dictionary, #sub part: Part<'_>) -> Result<(), AbortCode>;
     }
 }
 

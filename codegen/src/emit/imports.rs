@@ -31,6 +31,7 @@ fn runtime_names(plan: &Plan<'_>) -> Vec<&'static str> {
         (true, "Extra"),
         (true, "NumberSet"),
         (kinds(|kind| matches!(kind, Kind::Octets(_))), "OctetString"),
+        (plan.parts().any(|item| !item.writes.is_empty()), "Part"),
         (true, "Row"),
         (true, "ServiceSet"),
         (true, "Table"),

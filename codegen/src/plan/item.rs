@@ -54,17 +54,24 @@ impl<'a> Item<'a> {
             let entries = entries.iter().filter(|entry| wanted(options, object, entry));
             entries.map(|entry| entry.address.sub).collect::<Vec<u8>>()
         };
-        let (reads, writes) = (subs(Options::handles_read), subs(Options::handles_write));
+        let (mut reads, mut writes) = (subs(Options::handles_read), subs(Options::handles_write));
         let handled = !reads.is_empty() || !writes.is_empty();
         let capacity = entries.iter().map(|entry| options.capacity(object, entry)).max();
         let kind_of = |entry: &Entry| Kind::new(entry.data_type, capacity.unwrap_or_default());
-        let storage_of = |entry: &Entry| Storage::of(object, entry, handled);
+        let storage = entries
+            .first()
+            .map_or(Storage::Field, |entry| Storage::of(object, entry, handled));
+        if storage == Storage::Parts {
+            // Nobody else could answer in the other direction.
+            reads = subs(|_, _, entry| entry.access.readable());
+            writes = subs(|_, _, entry| entry.access.writable());
+        }
         Self {
             object,
             entries,
             is_array,
             kind: entries.first().map_or(Kind::Unsigned(super::Width::W8), kind_of),
-            storage: entries.first().map_or(Storage::Field, storage_of),
+            storage,
             name: String::new(),
             reads,
             writes,

@@ -86,12 +86,19 @@ impl<'a> Plan<'a> {
 
     /// The items that the application answers for when a client reads them.
     pub(crate) fn reads(&self) -> impl Iterator<Item = &Item<'a>> {
-        self.items.iter().filter(|item| !item.reads.is_empty())
+        let items = self.items.iter().filter(|item| item.storage != Storage::Parts);
+        items.filter(|item| !item.reads.is_empty())
+    }
+
+    /// The items that the application gives and takes in parts.
+    pub(crate) fn parts(&self) -> impl Iterator<Item = &Item<'a>> {
+        self.items.iter().filter(|item| item.storage == Storage::Parts)
     }
 
     /// The items that the application answers for when a client writes them.
     pub(crate) fn writes(&self) -> impl Iterator<Item = &Item<'a>> {
-        self.items.iter().filter(|item| !item.writes.is_empty())
+        let items = self.items.iter().filter(|item| item.storage != Storage::Parts);
+        items.filter(|item| !item.writes.is_empty())
     }
 
     /// Bytes that fill the struct up to a multiple of its alignment.
@@ -146,7 +153,8 @@ impl<'a> Plan<'a> {
 
     /// Bytes that the longest value needs on its way.
     pub(crate) fn buffer(&self) -> usize {
-        let capacities = self.fields().into_iter().filter_map(|item| item.kind.capacity());
+        let items = self.items.iter().filter(|item| item.storage != Storage::Constant);
+        let capacities = items.filter_map(|item| item.kind.capacity());
         capacities.fold(WIDEST_NUMBER, usize::max)
     }
 }

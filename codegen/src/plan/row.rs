@@ -26,6 +26,8 @@ pub(crate) enum Slot {
 pub(crate) struct Row<'a> {
     pub(crate) entry: &'a Entry,
     pub(crate) constant: bool,
+    /// Given and taken in parts.
+    pub(crate) parts: bool,
     pub(crate) reads: bool,
     pub(crate) writes: bool,
     pub(crate) slot: Slot,
@@ -61,7 +63,9 @@ impl<'a> Layout<'a> {
 
     fn push(&mut self, number: usize, item: &Item<'a>, element: usize, entry: &'a Entry) {
         let constant = item.storage == Storage::Constant;
+        let parts = item.storage == Storage::Parts;
         let place = match &entry.default {
+            _ if parts => Place::Constant(0),
             Some(value) if constant => Place::Constant(self.constant(item, entry, value)),
             _ => Place::Field(number, element * item.kind.size()),
         };
@@ -77,6 +81,7 @@ impl<'a> Layout<'a> {
         self.rows.push(Row {
             entry,
             constant,
+            parts,
             reads: item.reads.contains(sub),
             writes: item.writes.contains(sub),
             slot,
@@ -91,6 +96,7 @@ impl<'a> Layout<'a> {
     /// What an extra row says of `entry`; `None` when it needs none.
     fn detail(&mut self, item: &Item<'a>, entry: &Entry) -> Option<usize> {
         match (item.kind.capacity(), item.storage) {
+            (_, Storage::Parts) => None,
             (Some(capacity), Storage::Field) => Some(capacity),
             (Some(_), Storage::Constant) => {
                 let value = entry.default.as_ref()?;
@@ -112,11 +118,13 @@ impl Row<'_> {
             access, pdo_mapping, ..
         } = *self.entry;
         let flags = [
-            (pdo_mapping && sends(access), "TPDO"),
-            (pdo_mapping && receives(access), "RPDO"),
+            (pdo_mapping && !self.parts && sends(access), "TPDO"),
+            (pdo_mapping && !self.parts && receives(access), "RPDO"),
             (matches!(self.slot, Slot::Extra(_)), "EXTRA"),
-            (self.reads, "READ_HANDLER"),
-            (self.writes, "WRITE_HANDLER"),
+            (self.reads && !self.parts, "READ_HANDLER"),
+            (self.writes && !self.parts, "WRITE_HANDLER"),
+            (self.parts, "CONSTANT"),
+            (self.parts, "PARTS"),
             (matches!(self.entry.default, Some(Value::NodeIdPlus(_))), "NODE_ID"),
         ];
         flags.into_iter().filter(|(set, _)| *set).map(|(_, name)| name)

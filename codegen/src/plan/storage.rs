@@ -1,6 +1,6 @@
 //! Flash or RAM.
 
-use lexican_eds::ir::{AccessType, Entry, Object, Value};
+use lexican_eds::ir::{AccessType, DataType, Entry, Object, Value};
 
 use crate::selector::is_count;
 
@@ -11,11 +11,16 @@ pub(crate) enum Storage {
     Field,
     /// In flash: nobody ever changes it.
     Constant,
+    /// Nowhere in the dictionary: a DOMAIN of any length, which the application gives and takes in parts.
+    Parts,
 }
 
 impl Storage {
     /// Where the value of `entry` stands; `handled` when the application answers for it.
     pub(crate) fn of(object: &Object, entry: &Entry, handled: bool) -> Self {
+        if handled && entry.data_type == DataType::Domain {
+            return Self::Parts;
+        }
         // Without a value in the file it is the application that gives it, even to a const object.
         let known = matches!(&entry.default, Some(value) if !matches!(value, Value::NodeIdPlus(_)));
         if known && !handled && never_changes(object, entry) {

@@ -16,7 +16,12 @@ use crate::{
 
 /// The methods, in the trait's order.
 pub(super) fn handlers(plan: &Plan<'_>) -> Vec<Value> {
-    plan.reads().map(read).chain(plan.writes().map(write)).collect()
+    plan.reads()
+        .map(read)
+        .chain(plan.writes().map(write))
+        .chain(plan.parts().filter(|item| !item.reads.is_empty()).map(read_part))
+        .chain(plan.parts().filter(|item| !item.writes.is_empty()).map(write_part))
+        .collect()
 }
 
 /// The types of the runtime's module `od` that the methods name.
@@ -31,7 +36,13 @@ pub(super) fn imports(plan: &Plan<'_>) -> Vec<&'static str> {
         .chain(plan.writes())
         .filter(|item| item.kind == Kind::Time)
         .map(|_| "TimeOfDay");
-    strings.chain(times).collect::<BTreeSet<_>>().into_iter().collect()
+    let parts = plan.parts().filter(|item| !item.writes.is_empty()).map(|_| "Part");
+    strings
+        .chain(times)
+        .chain(parts)
+        .collect::<BTreeSet<_>>()
+        .into_iter()
+        .collect()
 }
 
 fn read(item: &Item<'_>) -> Value {
@@ -55,6 +66,36 @@ fn write(item: &Item<'_>) -> Value {
         index => item.object.index,
         subs => item.writes.clone(),
         parameters => parameters(item, "_od", Some(&rust_type)),
+        returns => "Result<(), AbortCode>",
+        body => "Ok(())",
+    }
+}
+
+fn read_part(item: &Item<'_>) -> Value {
+    let mut parameters = parameters(item, "_od", Some("usize"));
+    parameters.pop();
+    parameters.extend(["_offset: usize".to_owned(), "_buffer: &mut [u8]".to_owned()]);
+    context! {
+        method => format!("read_{}", item.name),
+        about => about(item),
+        index => item.object.index,
+        subs => item.reads.clone(),
+        parameters => parameters,
+        returns => "Result<usize, AbortCode>",
+        body => "Err(AbortCode::NO_DATA)",
+    }
+}
+
+fn write_part(item: &Item<'_>) -> Value {
+    let mut parameters = parameters(item, "_od", Some("Part<'_>"));
+    parameters.pop();
+    parameters.push("_part: Part<'_>".to_owned());
+    context! {
+        method => format!("write_{}", item.name),
+        about => about(item),
+        index => item.object.index,
+        subs => item.writes.clone(),
+        parameters => parameters,
         returns => "Result<(), AbortCode>",
         body => "Ok(())",
     }

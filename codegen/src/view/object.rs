@@ -89,6 +89,7 @@ fn name<'a>(object: &'a Object, entry: &'a Entry) -> &'a str {
 fn rust_name(item: &Item<'_>) -> String {
     match item.storage {
         Storage::Field => field_ident(&item.name),
+        Storage::Parts => item.name.clone(),
         Storage::Constant => item.name.to_ascii_uppercase(),
     }
 }
