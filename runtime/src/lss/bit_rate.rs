@@ -2,6 +2,7 @@
 
 /// A bit rate: its row in the standard's table of bit timing parameters (CiA 305, table 0).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BitRate(u8);
 
 impl BitRate {
@@ -58,6 +59,7 @@ impl BitRate {
 
 /// The bit rates that a device can be set to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BitRates(pub u16);
 
 impl BitRates {

@@ -10,6 +10,7 @@ use crate::{
 
 /// In which state the slave is (CiA 305, 5.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum State {
     /// It waits to be selected.
     Waiting,

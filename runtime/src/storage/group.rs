@@ -4,6 +4,7 @@ use crate::od::{Access, DataType, Entry};
 
 /// A group of parameters: a sub-index of 1010h and 1011h, 1 to 127.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Group(pub u8);
 
 impl Group {

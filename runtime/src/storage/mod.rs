@@ -161,6 +161,7 @@ pub const SAVES_AUTONOMOUSLY: u32 = 0x02;
 
 /// One of the two places for an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Slot {
     /// The first.
     A,
@@ -181,6 +182,7 @@ impl Slot {
 
 /// The memory does not do what it is to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Failed;
 
 /// No memory: 1010h and 1011h read 0, and refuse.

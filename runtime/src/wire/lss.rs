@@ -8,6 +8,7 @@
 
 /// What an LSS master asks for, on [`CanId::LSS_REQUEST`](super::CanId::LSS_REQUEST).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Request {
     /// 04h: switch state global; mode 0 for waiting, 1 for configuration.
     SwitchGlobal(u8),
@@ -40,6 +41,7 @@ pub enum Request {
 
 /// A part of the LSS address: a sub-index of the identity object (1018h).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Part {
     /// 1018h:01
     VendorId,
@@ -53,6 +55,7 @@ pub enum Part {
 
 /// What a part of the LSS address is held against to identify a slave.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Bound {
     /// The vendor-ID is to be this.
     VendorId,
@@ -70,6 +73,7 @@ pub enum Bound {
 
 /// One question of a fastscan (CiA 305, 6.5.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FastScan {
     /// The number that the part of the LSS address is held against.
     pub id_number: u32,
@@ -88,6 +92,7 @@ impl FastScan {
 
 /// What an LSS slave answers, on [`CanId::LSS_RESPONSE`](super::CanId::LSS_RESPONSE).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Response {
     /// 44h: this slave is the selected one, and in configuration state.
     Selected,
