@@ -8,7 +8,7 @@ use lexican_runtime::{
 };
 use lexican_tests::{
     bus::Bus,
-    client::{Manner, download, upload},
+    client::{Manner, download, upload, upload_blocks},
     sample::quiet,
     simulated::{Object, Simulated},
 };
@@ -86,6 +86,7 @@ fn model_and_bus() -> (Model, Bus<Simulated>) {
 #[derive(Clone, Debug)]
 enum Action {
     Read(u16),
+    ReadBlocks(u16, u8, usize),
     Write(u16, Vec<u8>, Manner),
 }
 
@@ -94,9 +95,11 @@ fn action() -> impl Strategy<Value = Action> {
     let manner = prop_oneof![
         Just(Manner::Expedited),
         (1..=7usize, any::<bool>()).prop_map(|(step, announced)| Manner::Segmented { step, announced }),
+        (any::<bool>(), 0..8usize).prop_map(|(announced, lost)| Manner::Block { announced, lost }),
     ];
     prop_oneof![
         index.clone().prop_map(Action::Read),
+        (index.clone(), 1..=6u8, 0..8usize).prop_map(|(index, size, lost)| Action::ReadBlocks(index, size, lost)),
         (index, proptest::collection::vec(any::<u8>(), 0..34), manner).prop_map(|(index, mut value, manner)| {
             // Most values have the right length, or nothing would ever be stored.
             let length = facts(index).map_or(2, |facts| facts.1);
@@ -121,6 +124,10 @@ fn the_dictionary_is_what_the_client_made_of_it() {
             match action {
                 Action::Read(index) => {
                     prop_assert_eq!(upload(&mut bus, Address::new(index, 0)), model.read(index));
+                }
+                Action::ReadBlocks(index, block_size, lost) => {
+                    let read = upload_blocks(&mut bus, Address::new(index, 0), block_size, lost);
+                    prop_assert_eq!(read, model.read(index), "{:04X}h in blocks of {}", index, block_size);
                 }
                 Action::Write(index, value, manner) => {
                     let written = download(&mut bus, Address::new(index, 0), &value, manner);

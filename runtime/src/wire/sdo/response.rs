@@ -139,7 +139,7 @@ impl Response {
         }
     }
 
-    /// The eight bytes; of [`Response::Unknown`] as of [`Request::Unknown`].
+    /// The eight bytes; of [`Response::Unknown`] as of [`Request::Unknown`](super::Request::Unknown).
     #[allow(clippy::inline_always)] // Who calls it knows the kind: of the match a few instructions are left.
     #[inline(always)]
     #[must_use]
