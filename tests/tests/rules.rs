@@ -120,6 +120,23 @@ fn findings_come_in_the_order_of_the_file_and_then_of_the_codes() {
 }
 
 #[test]
+fn of_one_rule_as_many_are_kept_as_somebody_may_read() {
+    let junk = |lines: usize| {
+        let text = format!("[FileInfo]\n{}", "junk\n".repeat(lines));
+        let found = check(&lexican_eds::read("x.eds", text.into()));
+        let junk = found.into_iter().filter(|finding| finding.code.as_str() == "INI001");
+        junk.map(|finding| finding.message).collect::<Vec<_>>()
+    };
+    assert_eq!(junk(10_000).last().unwrap(), "line `junk` has no `=`");
+    let found = junk(12_345);
+    assert_eq!(found.len(), 10_000);
+    assert_eq!(
+        found.last().unwrap(),
+        "line `junk` has no `=` (and 2345 more in this file)"
+    );
+}
+
+#[test]
 fn what_stands_for_too_much_is_one_finding_an_object() {
     let connected: Vec<String> = (1..=200).map(|place| format!("{place}=1\n")).collect();
     let module = "[M1SubExt2000]\nParameterName=Channel\nDataType=0x0005\nAccessType=ro\nCount=200\nObjExtend=254\n";

@@ -1,11 +1,16 @@
 //! Where a rule puts what it finds.
 
+use std::fmt::Write as _;
+
 use super::{quote::quoted, rule::Facts};
 use crate::{
     diagnostic::{Diagnostic, Level},
     literal,
     span::Span,
 };
+
+/// So many findings of one rule in one file are kept; nobody reads more, and a broken file of 50 MB can have millions.
+const MOST: usize = 10_000;
 
 /// Collects the findings of one rule, under its code and level.
 #[derive(Debug)]
@@ -14,7 +19,9 @@ pub(crate) struct Report<'a> {
     text: &'a str,
     facts: &'static Facts,
     level: Level,
+    /// At most one more than [`MOST`]: the last one then stands for all the others that are not kept.
     found: Vec<Diagnostic>,
+    dropped: usize,
 }
 
 impl<'a> Report<'a> {
@@ -24,6 +31,7 @@ impl<'a> Report<'a> {
             facts,
             level,
             found: Vec::new(),
+            dropped: 0,
         }
     }
 
@@ -46,6 +54,10 @@ impl<'a> Report<'a> {
 
     /// Reports `message` about `span`; [`Span::default`] stands for the file as a whole. The answer takes a label, related places and the cure.
     pub(crate) fn at(&mut self, span: Span, message: impl Into<String>) -> &mut Diagnostic {
+        if self.found.len() > MOST {
+            self.found.truncate(MOST);
+            self.dropped += 1;
+        }
         self.found.push(Diagnostic {
             code: self.facts.code,
             level: self.level,
@@ -61,7 +73,15 @@ impl<'a> Report<'a> {
         &mut self.found[last]
     }
 
-    pub(super) fn into_found(self) -> Vec<Diagnostic> {
+    /// What was found; when that is too much, the last one kept says how much more there is.
+    pub(super) fn into_found(mut self) -> Vec<Diagnostic> {
+        if self.found.len() > MOST {
+            self.found.truncate(MOST);
+            let more = self.dropped + 1;
+            if let Some(last) = self.found.last_mut() {
+                let _ = write!(last.message, " (and {more} more in this file)");
+            }
+        }
         self.found
     }
 }

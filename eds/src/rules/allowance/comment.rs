@@ -1,5 +1,7 @@
 //! One comment to Lexican, read.
 
+use std::iter;
+
 use crate::{source::Source, span::Span};
 
 /// What makes a comment one to us.
@@ -31,16 +33,26 @@ pub(crate) enum Reach {
 
 /// The comments of `source` to Lexican, in order.
 pub(crate) fn comments(source: &Source) -> impl Iterator<Item = Comment> {
-    let text = source.text();
-    let marks = text.match_indices(MARK).map(|(at, _)| at);
-    marks.filter_map(move |at| {
-        let position = source.line_column(Span::of(at..at));
-        let line = source.line_span(position.line);
-        let before = text.get(line.start as usize..at)?;
+    marked_lines(source).filter_map(|(number, line, mark)| {
+        let text = source.slice(line);
+        let before = text.get(..mark)?;
         let is_comment = before.trim_start().starts_with(';') && before.trim_matches([' ', '\t', ';']).is_empty();
-        let start = at + MARK.len();
-        let instruction = text.get(start..line.end as usize)?;
-        is_comment.then(|| read(instruction, start, position.line))
+        let start = mark + MARK.len();
+        let instruction = text.get(start..)?;
+        is_comment.then(|| read(instruction, line.start as usize + start, number))
+    })
+}
+
+/// The lines with a mark in them: number, place, and where in the line the first mark is. What follows in a line is passed over:
+/// it is no comment of its own, and there may be millions.
+fn marked_lines(source: &Source) -> impl Iterator<Item = (u32, Span, usize)> {
+    let mut from = 0;
+    iter::from_fn(move || {
+        let at = from + source.text().get(from..)?.find(MARK)?;
+        let number = source.line_column(Span::of(at..at)).line;
+        let line = source.line_span(number);
+        from = (line.end as usize).max(at + MARK.len());
+        Some((number, line, at - line.start as usize))
     })
 }
 
