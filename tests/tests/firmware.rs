@@ -121,6 +121,47 @@ fn obey_nmt(device: &mut Emulator) {
         .expect("5FF#4303600000000000");
 }
 
+/// What is saved is there after a reset, until the defaults are asked for.
+fn store(device: &mut Emulator) {
+    let preset = |value: &str| format!("5FF#43036000{value}");
+    device
+        .send("67F#2303600055000000")
+        .expect("5FF#6003600000000000")
+        .send("67F#2310100173617665")
+        .expect("5FF#6010100100000000")
+        .send("000#817F")
+        .expect("77F#00")
+        .send("67F#4003600000000000")
+        .expect(&preset("55000000"))
+        .send("67F#231110016C6F6164")
+        .expect("5FF#6011100100000000")
+        .send("000#817F")
+        .expect("77F#00")
+        .send("67F#4003600000000000")
+        .expect(&preset("00000000"));
+}
+
+/// An LSS master selects the device by its identity, gives it node-ID 5, and it boots under it.
+fn be_configured(device: &mut Emulator) {
+    device
+        .send("7E5#401F020001000000")
+        .send("7E5#4141474457000000")
+        .send("7E5#4208020603000000")
+        .send("7E5#4300000000000000")
+        .expect("7E4#4400000000000000")
+        .send("7E5#5E00000000000000")
+        .expect("7E4#5E7F000000000000")
+        .send("7E5#1105000000000000")
+        .expect("7E4#1100000000000000")
+        .send("7E5#1700000000000000")
+        .expect("7E4#1700000000000000")
+        .send("7E5#0400000000000000")
+        .send("000#827F")
+        .expect("705#00")
+        .send("605#4000100000000000")
+        .expect("585#4300100096010200");
+}
+
 /// A heartbeat every 100 ms of the firmware's own clock.
 fn beat(device: &mut Emulator) {
     device
@@ -184,6 +225,22 @@ fn the_heartbeat_keeps_time() {
 }
 
 #[test]
+fn what_is_saved_outlives_a_reset() {
+    let Some(mut device) = Emulator::booted("store") else {
+        return;
+    };
+    store(&mut device);
+}
+
+#[test]
+fn lss_gives_it_another_node_id() {
+    let Some(mut device) = Emulator::booted("lss") else {
+        return;
+    };
+    be_configured(&mut device);
+}
+
+#[test]
 fn a_burst_of_requests_loses_no_byte() {
     let Some(mut device) = Emulator::booted("burst") else {
         return;
@@ -205,7 +262,9 @@ fn all_of_this_needs_no_more_stack_than_is_documented() {
     upload_everything(&mut device);
     exchange_pdos(&mut device);
     obey_nmt(&mut device);
+    store(&mut device);
     beat(&mut device);
+    be_configured(&mut device);
     let ended = device.ram();
     let (to_start, to_run) = (painted_over(&started), written_since(&started, &ended));
     notice(&format!("stack: {to_start} bytes to start, {to_run} to run"));

@@ -5,6 +5,7 @@
 //! |---|---|
 //! | `encoder` | answers for the objects that are more than stored values |
 //! | `adapter` | obeys the host's slcan commands |
+//! | `memory` | keeps what is stored |
 //! | `uart`, `clock` | the two peripherals, and their interrupts |
 
 #![no_std]
@@ -13,6 +14,7 @@
 mod adapter;
 mod clock;
 mod encoder;
+mod memory;
 mod uart;
 
 use core::panic::PanicInfo;
@@ -23,11 +25,12 @@ use lexican_runtime::{Node, NodeId};
 use adapter::Adapter;
 use clock::Clock;
 use encoder::Encoder;
+use memory::{Memory, Pages};
 
 include!(concat!(env!("OUT_DIR"), "/wdga.rs"));
 
 /// The whole device.
-type Slave = Node<wdga::Device<Encoder>>;
+type Slave = Node<wdga::Device<Encoder, Memory>>;
 
 /// What the device is delivered with.
 const NODE_ID: NodeId = match NodeId::new(0x7F) {
@@ -37,7 +40,8 @@ const NODE_ID: NodeId = match NodeId::new(0x7F) {
 
 #[entry]
 fn main() -> ! {
-    let (Some(mut clock), Some(node)) = (start(), power_on()) else {
+    static mut PAGES: Pages = [[0; 4096]; 2];
+    let (Some(mut clock), Some(node)) = (start(), power_on(PAGES)) else {
         // Each is taken for the first and only time.
         halt()
     };
@@ -67,8 +71,9 @@ fn start() -> Option<Clock> {
 ///
 /// Not inlined: what making it takes of the stack is free again afterwards.
 #[inline(never)]
-fn power_on() -> Option<&'static mut Slave> {
-    cortex_m::singleton!(: Slave = Node::new(wdga::Device::new(Encoder), NODE_ID))
+fn power_on(pages: &'static mut Pages) -> Option<&'static mut Slave> {
+    let device = wdga::Device::with_storage(Encoder, Memory(pages));
+    cortex_m::singleton!(: Slave = Node::new(device, NODE_ID))
 }
 
 /// Sends all that the node has to say. A node whose adapter is closed is not on the bus, and waits.
