@@ -40,6 +40,7 @@ fn reason(error: &io::Error) -> String {
         ErrorKind::PermissionDenied => "permission denied".into(),
         ErrorKind::IsADirectory => "it is a directory; name a file".into(),
         ErrorKind::NotADirectory => "a part of the path is a file, not a directory".into(),
+        ErrorKind::AlreadyExists => "it is there already; take another name, or remove it".into(),
         ErrorKind::StorageFull => "the disk is full".into(),
         _ => error.to_string(),
     }

@@ -8,6 +8,7 @@
 //! | `parallel`, `progress` | many files at once, and a bar for those who wait |
 //! | `input`, `output` | the only reading and writing of files and streams |
 //! | `patch` | unified diffs |
+//! | `scaffold` | the files of a new firmware crate |
 //! | `failure` | why a command could not run, in one line |
 
 mod commands;
@@ -19,6 +20,7 @@ mod output;
 mod parallel;
 mod patch;
 mod progress;
+mod scaffold;
 
 use std::{io::Write as _, process::ExitCode};
 

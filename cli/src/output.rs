@@ -96,6 +96,31 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
+/// Makes the folder `path` with these files in it, in one step: it is there whole or not at all, and never in the place of
+/// another.
+pub(crate) fn write_folder(path: &Path, files: &[(&str, &[u8])]) -> Result<(), Failure> {
+    let written = create_folder(path, files);
+    written.map_err(|error| Failure::io("cannot make", &path.display().to_string(), &error))
+}
+
+fn create_folder(path: &Path, files: &[(&str, &[u8])]) -> io::Result<()> {
+    let beside = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let scratch = tempfile::Builder::new()
+        .prefix(".lexican-")
+        .tempdir_in(beside.unwrap_or(Path::new(".")))?;
+    // Inside the scratch folder, which nobody else may look into; this one is as readable as any.
+    let folder = scratch.path().join("crate");
+    for (name, content) in files {
+        let file = folder.join(name);
+        fs::create_dir_all(file.parent().unwrap_or(&folder))?;
+        fs::write(file, content)?;
+    }
+    if path.symlink_metadata().is_ok() {
+        return Err(ErrorKind::AlreadyExists.into());
+    }
+    fs::rename(folder, path)
+}
+
 /// As readable as any new file: the user's mask decides.
 #[cfg(unix)]
 fn temporary() -> tempfile::Builder<'static, 'static> {

@@ -150,8 +150,15 @@ impl Generated {
     /// When the template is not one, or asks for what is not there.
     #[cfg(feature = "templates")]
     pub fn render(&self, template: &lexican_templates::Template<'_>) -> Result<String, Error> {
+        template.render(self.context()).map_err(Error::Template)
+    }
+
+    /// What a template has to fill in, to be filled into one together with something else; [`Generated::render`] lists it.
+    #[cfg(feature = "templates")]
+    #[must_use]
+    pub fn context(&self) -> lexican_templates::Value {
         let plan = Plan::new(&self.dictionary, &self.file, self.name.clone(), &self.options);
-        template.render(crate::view::context(&plan)).map_err(Error::Template)
+        crate::view::context(&plan)
     }
 }
 

@@ -1,5 +1,5 @@
-//! The text templates of Lexican, and what renders them: handler stubs, the documentation of a dictionary, and templates
-//! of a user's own.
+//! The text templates of Lexican, and what renders them: handler stubs, the documentation of a dictionary, a firmware
+//! crate, and templates of a user's own.
 //!
 //! Templates are in the language of Jinja, as [minijinja] has it. Beside its filters there are
 //!
@@ -12,6 +12,7 @@
 
 mod error;
 mod filters;
+pub mod scaffold;
 
 pub use error::Error;
 pub use minijinja::{Value, context};
@@ -22,6 +23,12 @@ use minijinja::{Environment, UndefinedBehavior, syntax::SyntaxConfig};
 pub const STUBS: Template<'_> = Template {
     name: "stubs.rs.j2",
     text: include_str!("../stubs.rs.j2"),
+};
+
+/// The methods of a skeleton, which other templates include.
+const METHODS: Template<'_> = Template {
+    name: "methods.rs.j2",
+    text: include_str!("../methods.rs.j2"),
 };
 
 /// A dictionary as Markdown: its objects, and its PDOs.
@@ -64,6 +71,7 @@ fn environment() -> Result<Environment<'static>, minijinja::Error> {
     environment.set_syntax(syntax);
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
     filters::add(&mut environment);
+    environment.add_template(METHODS.name, METHODS.text)?;
     Ok(environment)
 }
 

@@ -31,7 +31,10 @@ impl Handlers for App {
 
     /// 2606h `Switches`
     fn read_switches(&mut self, od: &mut Dictionary, sub: u8) -> Result<bool, AbortCode> {
-        od.switches.get(usize::from(sub).wrapping_sub(1)).map(|value| value.get()).ok_or(AbortCode::NO_SUCH_SUB_INDEX)
+        od.switches
+            .get(usize::from(sub).wrapping_sub(1))
+            .map(|value| value.get())
+            .ok_or(AbortCode::NO_SUCH_SUB_INDEX)
     }
 
     /// 6004h `Position value`
@@ -41,7 +44,10 @@ impl Handlers for App {
 
     /// 6030h `Speed value`
     fn read_speed_value(&mut self, od: &mut Dictionary, sub: u8) -> Result<i16, AbortCode> {
-        od.speed_value.get(usize::from(sub).wrapping_sub(1)).copied().ok_or(AbortCode::NO_SUCH_SUB_INDEX)
+        od.speed_value
+            .get(usize::from(sub).wrapping_sub(1))
+            .copied()
+            .ok_or(AbortCode::NO_SUCH_SUB_INDEX)
     }
 
     /// 1010h `Store parameters`

@@ -110,7 +110,7 @@ impl Generate {
 }
 
 /// Shows on stderr what stands in the way, or says that there is something to look at.
-fn tell(source: &Source, found: &[Diagnostic]) -> Verdict {
+pub(super) fn tell(source: &Source, found: &[Diagnostic]) -> Verdict {
     let denied = found.iter().filter(|diagnostic| diagnostic.level == Level::Deny);
     let renderer = Renderer::coloured();
     let mut text: String = denied
@@ -133,12 +133,12 @@ fn tell(source: &Source, found: &[Diagnostic]) -> Verdict {
     if refused { Verdict::Findings } else { Verdict::Clean }
 }
 
-fn failure(error: &Error) -> Failure {
+pub(super) fn failure(error: &Error) -> Failure {
     Failure::new(error.to_string())
 }
 
 /// `6003` or `1010:1`, in hexadecimal.
-fn selector(text: &str) -> Result<Selector, Failure> {
+pub(super) fn selector(text: &str) -> Result<Selector, Failure> {
     let hex = |text: &str| u16::from_str_radix(text.trim().trim_start_matches("0x"), 16).ok();
     let parsed = match text.split_once(':') {
         Some((index, sub)) => (|| Some(Selector::Value(hex(index)?, u8::try_from(hex(sub)?).ok()?)))(),

@@ -8,6 +8,7 @@ mod explain;
 mod fix;
 mod generate;
 mod man;
+mod new;
 mod settings;
 mod shown;
 mod validate;
@@ -22,6 +23,7 @@ pub(crate) enum Command {
     Diff(diff::Diff),
     Explain(explain::Explain),
     Generate(generate::Generate),
+    New(new::New),
     Validate(validate::Validate),
     Completions(completions::Completions),
     Man(man::Man),
@@ -39,6 +41,7 @@ impl Command {
             Self::Diff(diff) => diff.run(),
             Self::Explain(explain) => explain.run(),
             Self::Generate(generate) => generate.run(),
+            Self::New(new) => new.run(),
             Self::Validate(validate) => validate.run(),
             Self::Completions(completions) => completions.run(),
             Self::Man(man) => man.run(),

@@ -56,7 +56,8 @@ impl SettingsArguments {
     }
 }
 
-fn parse(change: &str) -> Result<LevelChange, Failure> {
+/// `EDS004=warn`
+pub(super) fn parse(change: &str) -> Result<LevelChange, Failure> {
     let parsed = change.parse::<LevelChange>();
     parsed.map_err(|error| Failure::new(format!("--level {change}: {error}")))
 }

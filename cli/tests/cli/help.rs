@@ -12,6 +12,7 @@ fn the_help_names_each_command() {
     insta::assert_snapshot!("check", help(&["check", "--help"]));
     insta::assert_snapshot!("explain", help(&["explain", "--help"]));
     insta::assert_snapshot!("generate", help(&["generate", "--help"]));
+    insta::assert_snapshot!("new", help(&["new", "--help"]));
     insta::assert_snapshot!("validate", help(&["validate", "--help"]));
 }
 

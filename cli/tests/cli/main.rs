@@ -12,5 +12,6 @@ mod formats;
 mod generate;
 mod help;
 mod lexican;
+mod new;
 mod shell;
 mod validate;

@@ -131,13 +131,19 @@ fn stored(item: &Item<'_>) -> String {
         (false, Kind::Boolean) => format!("Ok(od.{field}.get())"),
         (false, _) => format!("Ok(od.{field})"),
         (true, kind) => {
-            let element = format!("od.{field}.get(usize::from(sub).wrapping_sub(1))");
             let value = if kind == Kind::Boolean {
-                ".map(|value| value.get())"
+                "map(|value| value.get())"
             } else {
-                ".copied()"
+                "copied()"
             };
-            format!("{element}{value}.ok_or(AbortCode::NO_SUCH_SUB_INDEX)")
+            // As rustfmt breaks it, in a method of a trait.
+            [
+                &format!("od.{field}"),
+                "get(usize::from(sub).wrapping_sub(1))",
+                value,
+                "ok_or(AbortCode::NO_SUCH_SUB_INDEX)",
+            ]
+            .join("\n            .")
         }
     }
 }
