@@ -93,7 +93,7 @@ proptest! {
 
     #[test]
     fn a_damaged_file_is_checked(at in any::<Index>(), bytes in proptest::collection::vec(any::<u8>(), 0..8)) {
-        let mut file = fixture("EDS030.eds");
+        let mut file = fixture("EDS030.dcf");
         let at = at.index(file.len());
         file.splice(at..at, bytes);
         prop_assert!(is_harmless(&report(file)));

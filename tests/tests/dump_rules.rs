@@ -1,9 +1,6 @@
 //! Each rule of family DMP finds what its fixture shows, and nothing in the fixture's cure.
 
-use std::{
-    fs,
-    path::{Path, PathBuf},
-};
+use std::fs;
 
 use lexican_eds::{
     Reading,
@@ -12,13 +9,10 @@ use lexican_eds::{
     render::Renderer,
     rules::{self, Levels, Rule},
 };
-
-fn fixture(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/rules").join(name)
-}
+use lexican_tests::fixture;
 
 fn read(name: &str) -> Vec<u8> {
-    let path = fixture(name);
+    let path = fixture::path(name);
     fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
@@ -35,7 +29,7 @@ fn codes() -> impl Iterator<Item = &'static str> {
 #[test]
 fn each_rule_finds_what_its_fixture_shows_and_nothing_in_the_cure() {
     for code in codes() {
-        let reading = lexican_eds::read(format!("{code}.eds"), read(&format!("{code}.eds")));
+        let reading = fixture::read(code);
         let found = validate(&reading, &format!("{code}.json"));
         let renderer = Renderer::plain();
         let text: Vec<String> = found
@@ -59,15 +53,15 @@ fn each_rule_finds_what_its_fixture_shows_and_nothing_in_the_cure() {
 #[test]
 fn the_fixtures_files_are_good_themselves() {
     for code in codes() {
-        let reading = lexican_eds::read(format!("{code}.eds"), read(&format!("{code}.eds")));
-        assert_eq!(rules::check(&reading, &Levels::default()), [], "{code}.eds");
+        let reading = fixture::read(code);
+        assert_eq!(rules::check(&reading, &Levels::default()), [], "{code}");
     }
 }
 
 #[test]
 fn each_finding_says_how_to_mend_it_in_the_grammar_of_messages() {
     for code in codes() {
-        let reading = lexican_eds::read(format!("{code}.eds"), read(&format!("{code}.eds")));
+        let reading = fixture::read(code);
         for diagnostic in validate(&reading, &format!("{code}.json")) {
             let help = diagnostic.help.unwrap_or_else(|| panic!("{code} has no cure"));
             assert!(

@@ -15,14 +15,10 @@ use lexican_eds::{
     rules::{self, LevelChange, Levels, Rule},
 };
 
+use lexican_tests::fixture::read;
+
 fn root(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
-}
-
-fn read(name: &str) -> Reading {
-    let path = root("tests/fixtures/rules").join(name);
-    let bytes = fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    lexican_eds::read(name, bytes)
 }
 
 fn check(reading: &Reading) -> Vec<Diagnostic> {
@@ -44,10 +40,10 @@ fn rules_about_files() -> impl Iterator<Item = &'static Rule> {
 #[test]
 fn each_rule_finds_what_its_fixture_shows_once_and_nothing_else() {
     for code in rules_about_files().map(Rule::code) {
-        let reading = read(&format!("{code}.eds"));
+        let reading = read(code.as_str());
         let found = check(&reading);
         let codes: Vec<&str> = found.iter().map(|diagnostic| diagnostic.code.as_str()).collect();
-        assert_eq!(codes, [code.as_str()], "{code}.eds");
+        assert_eq!(codes, [code.as_str()], "{code}");
         let text = Renderer::plain().render(reading.document.source(), &found[0]);
         insta::assert_snapshot!(code.as_str(), text);
     }
@@ -56,7 +52,7 @@ fn each_rule_finds_what_its_fixture_shows_once_and_nothing_else() {
 #[test]
 fn nothing_is_found_in_the_cure() {
     for code in rules_about_files().map(Rule::code) {
-        let name = format!("{code}.fixed.eds");
+        let name = format!("{code}.fixed");
         assert_eq!(check(&read(&name)), [], "{name}");
     }
 }
@@ -74,7 +70,7 @@ fn each_fixture_belongs_to_a_rule() {
 #[test]
 fn each_finding_says_how_to_mend_it_in_the_grammar_of_messages() {
     for code in rules_about_files().map(Rule::code) {
-        for diagnostic in check(&read(&format!("{code}.eds"))) {
+        for diagnostic in check(&read(code.as_str())) {
             let message = &diagnostic.message;
             assert!(!message.ends_with('.'), "{code}: `{message}` ends in a full stop");
             let help = diagnostic.help.unwrap_or_else(|| panic!("{code} has no cure"));

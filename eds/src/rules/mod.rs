@@ -16,6 +16,7 @@
 mod allowance;
 mod canchkeds;
 mod com;
+mod dcf;
 mod dev;
 mod dmp;
 mod eds;

@@ -1,6 +1,6 @@
 //! The one table of rules, in the order of their codes. A code that dies is not given again: it moves to [`RETIRED`].
 
-use super::{Rule, com, dev, dmp, eds, enc, ini, lex, obj, pdo};
+use super::{Rule, com, dcf, dev, dmp, eds, enc, ini, lex, obj, pdo};
 
 /// Rules that look at the same thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,6 +40,10 @@ pub(super) const FAMILIES: &[Family] = &[
     Family {
         letters: "ENC",
         title: "encoders: the objects of CiA 406",
+    },
+    Family {
+        letters: "DCF",
+        title: "a configured device: what a DCF adds to an EDS",
     },
     Family {
         letters: "DMP",
@@ -218,6 +222,18 @@ const RULES: &[Rule] = &[
     Rule::encoder::<enc::DividedCycle>(),
     Rule::encoder::<enc::UnknownProfileVersion>(),
     Rule::encoder::<enc::UnknownEncoderObject>(),
+    Rule::reading::<dcf::MissingCommissioning>(),
+    Rule::reading::<dcf::CommissionedEds>(),
+    Rule::document::<dcf::MissingLastEds>(),
+    Rule::document::<dcf::IncompleteCommissioning>(),
+    Rule::model::<dcf::ImpossibleNodeId>(),
+    Rule::model::<dcf::UnknownBitRate>(),
+    Rule::model::<dcf::UnsupportedBitRate>(),
+    Rule::model::<dcf::ImpossibleNetNumber>(),
+    Rule::reading::<dcf::ChangedConstantParameter>(),
+    Rule::reading::<dcf::FileForValue>(),
+    Rule::reading::<dcf::ContraryFile>(),
+    Rule::reading::<dcf::AbsolutePath>(),
     Rule::dump::<dmp::MissingObject>(),
     Rule::dump::<dmp::UndeclaredObject>(),
     Rule::dump::<dmp::WrongLength>(),
