@@ -10,6 +10,7 @@ pub mod diff;
 pub mod document;
 pub mod dump;
 pub mod fix;
+pub mod format;
 mod ini;
 pub mod ir;
 pub mod literal;

@@ -6,6 +6,7 @@ mod diff;
 mod differences;
 mod explain;
 mod fix;
+mod format;
 mod generate;
 mod man;
 mod new;
@@ -22,6 +23,7 @@ pub(crate) enum Command {
     Check(check::Check),
     Diff(diff::Diff),
     Explain(explain::Explain),
+    Format(format::Format),
     Generate(generate::Generate),
     New(new::New),
     Validate(validate::Validate),
@@ -40,6 +42,7 @@ impl Command {
             Self::Check(check) => check.run(),
             Self::Diff(diff) => diff.run(),
             Self::Explain(explain) => explain.run(),
+            Self::Format(format) => format.run(),
             Self::Generate(generate) => generate.run(),
             Self::New(new) => new.run(),
             Self::Validate(validate) => validate.run(),

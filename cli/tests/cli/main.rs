@@ -8,6 +8,7 @@ mod config;
 mod diff;
 mod explain;
 mod fix;
+mod format;
 mod formats;
 mod generate;
 mod help;

@@ -9,6 +9,7 @@ mod section_name;
 mod spelling;
 
 pub use crate::source::Format;
+pub(crate) use edit::ArrangedLine;
 pub use edit::{Edit, EditError};
 pub use keyword::Keyword;
 pub use problem::Problem;

@@ -16,7 +16,7 @@ pub(super) struct ListChange {
     pub(super) enlisted: Vec<u16>,
 }
 
-/// A list as it will be: its keys in the order of the file, each with the number that it gets.
+/// A list as it will be: its lines in the order of their numbers, each with the number that it gets.
 struct Numbered<'d> {
     kept: Vec<(&'d Entry, u32)>,
     struck: Vec<&'d Entry>,
@@ -73,7 +73,8 @@ impl ListChange {
             .iter()
             .filter(|entry| matches!(entry.keyword, Keyword::Number(_)));
         let is_struck = |entry: &&Entry| self.struck.binary_search(&entry.value).is_ok();
-        let (struck, kept): (Vec<&Entry>, Vec<&Entry>) = lines.partition(is_struck);
+        let (struck, mut kept): (Vec<&Entry>, Vec<&Entry>) = lines.partition(is_struck);
+        kept.sort_by_key(|entry| entry.keyword);
         let is_readable = |entry: &Entry| literal::unsigned(document.text(entry.value), u16::MAX.into()).is_ok();
         let listed = kept.iter().filter(|entry| is_readable(entry)).count();
         let listed = u32::try_from(listed).unwrap_or(u32::MAX);

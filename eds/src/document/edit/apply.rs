@@ -54,7 +54,7 @@ fn ended(text: String, end: Option<LineEnd>) -> String {
 }
 
 /// A new file in the making.
-struct Written<'a> {
+pub(super) struct Written<'a> {
     source: &'a Source,
     prevailing: Encoding,
     text: String,
@@ -62,7 +62,7 @@ struct Written<'a> {
 }
 
 impl<'a> Written<'a> {
-    fn new(source: &'a Source, byte_order_mark: bool) -> Self {
+    pub(super) fn new(source: &'a Source, byte_order_mark: bool) -> Self {
         Self {
             source,
             prevailing: source.prevailing_encoding(),
@@ -76,7 +76,7 @@ impl<'a> Written<'a> {
     }
 
     /// Adds `new`, which line `number` has become.
-    fn line(&mut self, number: u32, old: &str, new: &str) -> Result<(), EditError> {
+    pub(super) fn line(&mut self, number: u32, old: &str, new: &str) -> Result<(), EditError> {
         let encoding = if old.is_ascii() {
             self.prevailing
         } else {
@@ -96,7 +96,7 @@ impl<'a> Written<'a> {
     }
 
     /// The new file; it must read as it was meant, but a line may look like another encoding now.
-    fn read_back(self) -> Result<Source, EditError> {
+    pub(super) fn read_back(self) -> Result<Source, EditError> {
         let read = Source::decode(self.source.name(), self.bytes);
         let mut lines = (1..).zip(read.text().lines().zip(self.text.lines()));
         match lines.find(|(_, (read, meant))| read != meant) {

@@ -1,8 +1,11 @@
 //! Changes that leave every other byte of the file as it is.
 
 mod apply;
+mod arrange;
 
 use std::fmt;
+
+pub(crate) use arrange::ArrangedLine;
 
 use super::{Document, Entry, Section};
 use crate::ini;
