@@ -1,6 +1,6 @@
 //! Memory that outlives a node, and fails when a test wants it to.
 
-use std::{cell::RefCell, rc::Rc};
+use std::sync::{Arc, Mutex, MutexGuard};
 
 use lexican_runtime::{
     od::Entry,
@@ -9,7 +9,7 @@ use lexican_runtime::{
 
 /// Two slots of flash or EEPROM. Clones are the same memory, so that a node can be switched off and another one started.
 #[derive(Clone, Debug)]
-pub struct Memory(Rc<RefCell<Cells>>);
+pub struct Memory(Arc<Mutex<Cells>>);
 
 #[derive(Debug)]
 struct Cells {
@@ -37,7 +37,7 @@ impl Memory {
 
     fn new(size: usize, is_flash: bool) -> Self {
         let content = if is_flash { 0xFF } else { 0xA5 };
-        Self(Rc::new(RefCell::new(Cells {
+        Self(Arc::new(Mutex::new(Cells {
             slots: [vec![content; size], vec![content; size]],
             is_flash,
             energy: usize::MAX,
@@ -49,18 +49,18 @@ impl Memory {
     /// What is stored of the object at `index` belongs to `group`.
     #[must_use]
     pub fn with_group(self, index: u16, group: Option<Group>) -> Self {
-        self.0.borrow_mut().groups.push((index, group));
+        self.cells().groups.push((index, group));
         self
     }
 
     /// The power fails after so many bytes written; from then on nothing can be done until [`Memory::power_on`].
     pub fn fail_after(&self, bytes: usize) {
-        self.0.borrow_mut().energy = bytes;
+        self.cells().energy = bytes;
     }
 
     /// The power is back.
     pub fn power_on(&self) {
-        self.0.borrow_mut().energy = usize::MAX;
+        self.cells().energy = usize::MAX;
     }
 
     /// Changes a byte of a slot.
@@ -68,30 +68,38 @@ impl Memory {
     /// # Panics
     /// When there is none.
     pub fn damage(&self, slot: Slot, offset: usize) {
-        self.0.borrow_mut().slots[slot as usize][offset] ^= 0x40;
+        self.cells().slots[slot as usize][offset] ^= 0x40;
     }
 
     /// What is in a slot.
     #[must_use]
     pub fn content(&self, slot: Slot) -> Vec<u8> {
-        self.0.borrow().slots[slot as usize].clone()
+        self.cells().slots[slot as usize].clone()
     }
 
     /// A memory with the same content, and a life of its own.
     #[must_use]
     pub fn copy(&self) -> Self {
-        let cells = self.0.borrow();
-        Self(Rc::new(RefCell::new(Cells {
+        let cells = self.cells();
+        Self(Arc::new(Mutex::new(Cells {
             slots: cells.slots.clone(),
             groups: cells.groups.clone(),
-            ..*cells
+            is_flash: cells.is_flash,
+            energy: cells.energy,
+            erased: cells.erased,
         })))
     }
 
     /// How many times a slot was erased.
     #[must_use]
     pub fn erased(&self) -> usize {
-        self.0.borrow().erased
+        self.cells().erased
+    }
+}
+
+impl Memory {
+    fn cells(&self) -> MutexGuard<'_, Cells> {
+        self.0.lock().expect("no test fails while it holds the memory")
     }
 }
 
@@ -114,14 +122,14 @@ impl Cells {
 
 impl Storage for Memory {
     fn read(&mut self, slot: Slot, offset: usize) -> Result<[u8; 8], Failed> {
-        let cells = self.0.borrow();
+        let cells = self.cells();
         assert_eq!(offset % 8, 0);
         let word = cells.slots[slot as usize].get(offset..offset + 8);
         word.and_then(|word| word.try_into().ok()).ok_or(Failed)
     }
 
     fn erase(&mut self, slot: Slot) -> Result<(), Failed> {
-        let mut cells = self.0.borrow_mut();
+        let mut cells = self.cells();
         cells.erased += 1;
         if cells.is_flash {
             cells.spend()?;
@@ -133,14 +141,14 @@ impl Storage for Memory {
 
     fn write(&mut self, slot: Slot, offset: usize, word: [u8; 8]) -> Result<(), Failed> {
         assert_eq!(offset % 8, 0);
-        let mut cells = self.0.borrow_mut();
+        let mut cells = self.cells();
         (offset..)
             .zip(word)
             .try_for_each(|(offset, byte)| cells.put(slot, offset, byte))
     }
 
     fn group(&self, entry: Entry) -> Option<Group> {
-        let cells = self.0.borrow();
+        let cells = self.cells();
         let own = cells.groups.iter().find(|(index, _)| *index == entry.index);
         own.map_or_else(|| Group::of(entry), |(_, group)| *group)
     }
