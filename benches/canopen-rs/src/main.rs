@@ -35,6 +35,16 @@ fn run<const N: usize>(dictionary: ObjectDictionary<N>, operation: &str, n: u32)
                 black_box(node.od().entry(black_box(Address::new(0x6004, 0)))).unwrap();
             }
         }
+        "tpdo_on_sync" => {
+            node.configure_pdos_from_od();
+            harness::sync_all(n, |id, data| {
+                // A SYNC is the caller's to know.
+                if id == 0x080 {
+                    return node.sync_tpdos().first().copied();
+                }
+                node.on_frame(id, data)
+            });
+        }
         "harness" | "idle" => harness::absent(),
         _ => harness::exchange_all(
             operation,
