@@ -46,7 +46,10 @@ fn case(name: String, bytes: Vec<u8>) -> Case {
 
 fn format(text: &str) -> String {
     let formatted = format::format(lexican_eds::read("pump.eds", text.into()));
-    String::from_utf8(formatted.unwrap().document.to_bytes()).unwrap()
+    formatted.map_or_else(
+        |error| error.to_string(),
+        |reading| reading.document.source().text().to_owned(),
+    )
 }
 
 #[test]
