@@ -1,6 +1,7 @@
 use crate::{
     Reading,
     diagnostic::Level,
+    fix::Fix,
     rules::{ReadingRule, Report, declare_rule, quoted},
 };
 
@@ -29,7 +30,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, FileName
-    pub(crate) WrongFileName { code: "EDS034", level: Level::Allow, since: "0.1.0" }
+    pub(crate) WrongFileName { code: "EDS034", level: Level::Allow, since: "0.1.0", fixable: Sometimes }
 }
 
 impl ReadingRule for WrongFileName {
@@ -47,7 +48,8 @@ impl ReadingRule for WrongFileName {
                     stated.span,
                     format!("FileName is {wrong}, but the file is {}", quoted(actual)),
                 )
-                .help(format!("write `FileName={actual}`, or rename the file"));
+                .help(format!("write `FileName={actual}`, or rename the file"))
+                .fix(actual.is_ascii().then(|| Fix::replace(stated.span, actual)));
         }
     }
 }
