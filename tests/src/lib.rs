@@ -9,6 +9,7 @@ pub mod dialogue;
 pub mod emulator;
 pub mod fixture;
 pub mod generated;
+pub mod levels;
 pub mod line;
 pub mod memory;
 pub mod network;

@@ -85,9 +85,14 @@ fn a_rule_that_hits_many_real_files_has_a_reason_to_stand_and_no_other_has() {
             "{hits:?}: explain in real_files.tsv why it stands"
         );
     }
-    let counted: Vec<&str> = rules::real_files().map(|hits| hits.code).collect();
-    let all: Vec<&str> = rules_about_files().map(|rule| rule.code().as_str()).collect();
-    assert_eq!(counted, all, "real_files.tsv names each rule once");
+    // A new rule is counted where the files are.
+    for hits in rules::real_files() {
+        assert!(
+            rules::find(hits.code).is_some(),
+            "real_files.tsv counts {}, which is no rule",
+            hits.code
+        );
+    }
 }
 
 #[test]

@@ -10,10 +10,11 @@ use std::{
 
 use lexican_eds::{
     Reading,
-    diagnostic::{Diagnostic, Level},
+    diagnostic::Diagnostic,
     render::Renderer,
-    rules::{self, LevelChange, Levels, Rule},
+    rules::{self, Rule},
 };
+use lexican_tests::levels::every_rule;
 
 use lexican_tests::fixture::read;
 
@@ -22,14 +23,7 @@ fn root(path: &str) -> PathBuf {
 }
 
 fn check(reading: &Reading) -> Vec<Diagnostic> {
-    rules::check(reading, &all_levels())
-}
-
-/// A rule that is off is shown by its fixture as well.
-fn all_levels() -> Levels {
-    let off = rules::all().iter().filter(|rule| rule.level() == Level::Allow);
-    let changes = off.filter_map(|rule| LevelChange::new(rule.code().as_str(), Level::Note).ok());
-    changes.fold(Levels::default(), Levels::with)
+    rules::check(reading, &every_rule())
 }
 
 /// The rules that look at files.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::{Family, Fixable, Rule, all, canchkeds, families, real_files};
+use super::{Family, Fixable, Rule, all, canchkeds, catalogue, families, real_files};
 
 /// One rule's page: what `lexican explain CODE` prints.
 #[must_use]
@@ -38,6 +38,7 @@ pub fn manual() -> String {
     }
     text.push_str(&real_files::section());
     text.push_str(&canchkeds::table());
+    text.push_str(&catalogue::table());
     for rule in all() {
         let _ = write!(text, "\n{}", below(&page(rule)));
     }

@@ -15,6 +15,7 @@
 
 mod allowance;
 mod canchkeds;
+mod catalogue;
 mod com;
 mod dcf;
 mod dev;

@@ -135,6 +135,8 @@ const RULES: &[Rule] = &[
     Rule::dictionary::<obj::MixedArray>(),
     Rule::dictionary::<obj::RepeatedName>(),
     Rule::dictionary::<obj::NodeIdOverflow>(),
+    Rule::model::<obj::EmptyName>(),
+    Rule::model::<obj::TypedDomain>(),
     Rule::dictionary::<com::MissingMandatoryObject>(),
     Rule::dictionary::<com::WrongStandardType>(),
     Rule::dictionary::<com::RestrictedCanId>(),

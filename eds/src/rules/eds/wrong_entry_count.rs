@@ -1,8 +1,9 @@
 use crate::{
-    diagnostic::Level,
+    diagnostic::{Diagnostic, Level},
+    fix::Fix,
     model::{Eds, List},
     rules::{ModelRule, Report, declare_rule},
-    span::Spanned,
+    span::{Span, Spanned},
 };
 
 declare_rule! {
@@ -30,23 +31,23 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, NrOfEntries, ObjectLinks, `[Comments]`. Of the lists of objects it is EDS005.
-    pub(crate) WrongEntryCount { code: "EDS032", level: Level::Warn, since: "0.1.0" }
+    pub(crate) WrongEntryCount { code: "EDS032", level: Level::Warn, since: "0.1.0", fixable: Sometimes }
 }
 
 impl ModelRule for WrongEntryCount {
     fn check(eds: &Eds, report: &mut Report) {
-        check_list(eds.comments.as_ref(), "Lines", report);
+        check_texts(eds.comments.as_ref(), "Lines", report);
         for object in &eds.objects {
-            check_list(object.names.as_deref(), "NrOfEntries", report);
-            check_list(object.values.as_deref(), "NrOfEntries", report);
-            check_list(object.denotations.as_deref(), "NrOfEntries", report);
-            check_list(object.links.as_deref(), "ObjectLinks", report);
+            check_texts(object.names.as_deref(), "NrOfEntries", report);
+            check_numbers(object.values.as_deref(), "NrOfEntries", report);
+            check_texts(object.denotations.as_deref(), "NrOfEntries", report);
+            check_numbers(object.links.as_deref(), "ObjectLinks", report);
         }
-        check_list(eds.connected_modules.as_ref(), "NrOfEntries", report);
+        check_numbers(eds.connected_modules.as_ref(), "NrOfEntries", report);
         for module in &eds.modules {
-            check_list(module.comments.as_ref(), "Lines", report);
-            check_list(module.fixed_objects.as_ref(), "NrOfEntries", report);
-            check_list(module.sub_extends.as_ref(), "NrOfEntries", report);
+            check_texts(module.comments.as_ref(), "Lines", report);
+            check_numbers(module.fixed_objects.as_ref(), "NrOfEntries", report);
+            check_numbers(module.sub_extends.as_ref(), "NrOfEntries", report);
         }
         // Its lines are the modules themselves, M1 to the number of them.
         let supported = eds.supported_modules.as_ref().and_then(|modules| modules.count);
@@ -54,21 +55,36 @@ impl ModelRule for WrongEntryCount {
     }
 }
 
-fn check_list<T>(list: Option<&List<T>>, keyword: &str, report: &mut Report) {
+/// Each line of it can be read, so that the number is certain.
+fn check_texts(list: Option<&List<String>>, keyword: &str, report: &mut Report) {
+    let Some(list) = list else { return };
+    let number = list.items.len();
+    if let Some((finding, count)) = check_count(list.count, number, keyword, "line", report) {
+        finding.fix(Fix::replace(count, number.to_string()));
+    }
+}
+
+fn check_numbers<T>(list: Option<&List<T>>, keyword: &str, report: &mut Report) {
     let Some(list) = list else { return };
     check_count(list.count, list.items.len(), keyword, "line", report);
 }
 
-fn check_count(count: Option<Spanned<u32>>, number: usize, keyword: &str, what: &str, report: &mut Report) {
-    let Some(count) = count.filter(|count| count.value as usize != number) else {
-        return;
-    };
+/// The finding, and where the number stands.
+fn check_count<'r>(
+    count: Option<Spanned<u32>>,
+    number: usize,
+    keyword: &str,
+    what: &str,
+    report: &'r mut Report,
+) -> Option<(&'r mut Diagnostic, Span)> {
+    let count = count.filter(|count| count.value as usize != number)?;
     let have = match number {
         0 => format!("there is no {what}"),
         1 => format!("there is one {what}"),
         number => format!("there are {number} {what}s"),
     };
-    report
-        .at(count.span, format!("{keyword} is {}, but {have}", count.value))
-        .help(format!("write `{keyword}={number}`"));
+    let at = report.bare(count.span);
+    let finding = report.at(count.span, format!("{keyword} is {}, but {have}", count.value));
+    finding.help(format!("write `{keyword}={number}`"));
+    Some((finding, at))
 }

@@ -6,7 +6,8 @@ use crate::{
 
 declare_rule! {
     /// ## What it does
-    /// Finds a sub-index 0 of an array or record that cannot be written and has no DefaultValue.
+    /// Finds a sub-index 0 of an array or record that cannot be written and has no DefaultValue. Where sub-index 0 counts
+    /// something else it is left alone: 1003h, 1004h, and the mapping of PDOs.
     ///
     /// ## Why it matters
     /// It is the highest sub-index, which the file knows. A tool that plans its reads by the file cannot, and a generator has to guess.
@@ -34,15 +35,26 @@ declare_rule! {
 impl DictionaryRule for SilentSubIndexZero {
     fn check(dictionary: &Dictionary, report: &mut Report) {
         let structured = |object: &&Object| matches!(object.code, ObjectCode::Array | ObjectCode::Record);
-        for object in dictionary.objects.iter().filter(structured) {
+        let objects = dictionary.objects.iter().filter(structured);
+        for object in objects.filter(|object| !counts_otherwise(object.index)) {
             // A sub-index 0 that the file does not have is OBJ009.
             let silent = |zero: &&Entry| !zero.access.writable() && zero.default.is_none();
             if let Some(zero) = object.entry(0).filter(silent) {
-                let highest = object.entries.last().map_or(0, |last| last.address.sub);
                 report
                     .at(zero.spans.section, format!("{} has no value", zero.address))
-                    .help(format!("write `DefaultValue={highest}`"));
+                    .help(format!("write `DefaultValue={}`", highest(object)));
             }
         }
     }
+}
+
+/// Sub-index 255 is the structure of the object.
+fn highest(object: &Object) -> u8 {
+    let subs = object.entries.iter().map(|entry| entry.address.sub);
+    subs.filter(|sub| *sub != u8::MAX).max().unwrap_or_default()
+}
+
+/// Sub-index 0 of these is a number of errors, of PDOs, or of mapped objects.
+const fn counts_otherwise(index: u16) -> bool {
+    matches!(index, 0x1003 | 0x1004 | 0x1600..=0x17FF | 0x1A00..=0x1BFF)
 }
