@@ -5,7 +5,7 @@
 
 use std::sync::LazyLock;
 
-use lexican_tests::{generated::wdga, simulated::Simulated, traffic};
+use lexican_tests::{generated::wdga, memory::Memory, simulated::Simulated, traffic};
 use libfuzzer_sys::fuzz_target;
 
 static SIMULATED: LazyLock<Simulated> = LazyLock::new(|| {
@@ -16,7 +16,7 @@ static SIMULATED: LazyLock<Simulated> = LazyLock::new(|| {
 fuzz_target!(|bytes: &[u8]| {
     let steps = traffic::steps(bytes);
     assert_eq!(
-        traffic::play(wdga::Device::new(()), &steps),
-        traffic::play(SIMULATED.clone(), &steps)
+        traffic::play(wdga::Device::with_storage((), Memory::flash(0x1000)), &steps),
+        traffic::play(SIMULATED.clone().with_memory(&Memory::flash(0x1000)), &steps)
     );
 });

@@ -387,7 +387,7 @@ pub mod wv58mr_st {
         Row::value(0x1001, 0x00, DataType::UNSIGNED8, RO, offset_of!(Dictionary, error_register)),
         Row::value(0x1002, 0x00, DataType::UNSIGNED32, RO, offset_of!(Dictionary, manufacturer_status_register)),
         Row::value(0x1003, 0x00, DataType::UNSIGNED8, RW, offset_of!(Dictionary, predefined_error_field_number_of_errors)),
-        Row::elements(0x1003, 0x01, 0x08, DataType::UNSIGNED32, RO, offset_of!(Dictionary, predefined_error_field)),
+        Row::elements(0x1003, 0x01, 0x08, DataType::UNSIGNED32, RO.with(Access::COUNTED), offset_of!(Dictionary, predefined_error_field)),
         Row::value(0x1005, 0x00, DataType::UNSIGNED32, RW, offset_of!(Dictionary, cob_id_sync_message)),
         Row::value(0x1008, 0x00, DataType::VISIBLE_STRING, CONST.with(Access::EXTRA), 0),
         Row::value(0x1009, 0x00, DataType::VISIBLE_STRING, CONST.with(Access::EXTRA), 1),

@@ -67,12 +67,14 @@ impl From<&ir::Entry> for Object {
     fn from(entry: &ir::Entry) -> Self {
         let bytes = |value: &ir::Value| value.to_bytes(entry.data_type, None);
         let length = entry.data_type.bytes().unwrap_or(0);
+        let counted = entry.address.index == 0x1003 && entry.address.sub != 0;
         let formula = matches!(entry.default, Some(ir::Value::NodeIdPlus(_)));
         Self {
             address: Address::new(entry.address.index, entry.address.sub),
             data_type: DataType(u8::try_from(entry.data_type.index()).expect("a static type")),
             access: access(entry.access)
                 .with(if formula { Access::NODE_ID } else { Access(0) })
+                .with(if counted { Access::COUNTED } else { Access(0) })
                 .with(mappable(entry)),
             default: entry.default.as_ref().map_or_else(|| vec![0; length], bytes),
             limits: entry

@@ -92,6 +92,8 @@ fn request(bytes: &mut Bytes<'_>) -> Frame {
     let [v0, v1, v2, v3] = match value {
         [0, index, sub, _] => [0x20, sub & 1, index & 7, 0x60],
         [1, low, _, _] => [low, 0x01, 0x00, 0x80],
+        [2, ..] => *b"save",
+        [3, ..] => *b"load",
         value => value,
     };
     Frame::full(CanId::sdo_request(node_id()), [command, i0, i1, sub, v0, v1, v2, v3])
@@ -212,6 +214,15 @@ impl<D: Device> Player<D> {
     /// After all that, a reset makes it a node that serves its clients.
     fn must_answer(&mut self) {
         self.take(&Step::Bus(BusState::Active));
+        // LSS may have taken its node-ID away, or silenced it for as long as a bit rate takes to change.
+        self.wait(200_000_000);
+        for request in [[0x04, 1], [0x11, NODE_ID], [0x04, 0]] {
+            let [command, argument] = request;
+            self.take(&Step::Frame(Frame::full(
+                lss_master(),
+                [command, argument, 0, 0, 0, 0, 0, 0],
+            )));
+        }
         self.take(&Step::Frame(data(0x000, &[0x81, 0x00])));
         self.wait(1_000_000);
         let before = self.sent.len();

@@ -8,6 +8,7 @@ use lexican_runtime::{
 };
 use lexican_tests::{
     generated::{wdga, wv58mr},
+    memory::Memory,
     simulated::{Object, Simulated},
     traffic::{Step, play, steps},
 };
@@ -25,6 +26,10 @@ fn traffic() -> impl Strategy<Value = Vec<Step>> {
     proptest::collection::vec(any::<u8>(), 0..1500).prop_map(|bytes| steps(&bytes))
 }
 
+fn memory() -> Memory {
+    Memory::flash(0x1000)
+}
+
 /// The device of an EDS, put together at run time: nothing of it is known to the compiler.
 fn simulated(file: &str) -> Simulated {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../eds/devices").join(file);
@@ -36,8 +41,10 @@ fn simulated(file: &str) -> Simulated {
 fn a_generated_device_says_what_the_simulated_one_of_the_same_file_says() {
     let [other_wdga, other_wv58mr] = ["wdga.eds", "wv58mr.eds"].map(simulated);
     proptest!(config(300), |(steps in traffic())| {
-        prop_assert_eq!(play(wdga::Device::new(()), &steps), play(other_wdga.clone(), &steps));
-        prop_assert_eq!(play(wv58mr::Device::new(()), &steps), play(other_wv58mr.clone(), &steps));
+        let generated = play(wdga::Device::with_storage((), memory()), &steps);
+        prop_assert_eq!(generated, play(other_wdga.clone().with_memory(&memory()), &steps));
+        let generated = play(wv58mr::Device::with_storage((), memory()), &steps);
+        prop_assert_eq!(generated, play(other_wv58mr.clone().with_memory(&memory()), &steps));
     });
 }
 
@@ -107,6 +114,6 @@ fn every_service() -> Simulated {
 fn a_node_with_every_service_goes_on_serving() {
     let device = every_service();
     proptest!(config(500), |(steps in traffic())| {
-        prop_assert!(!play(device.clone(), &steps).is_empty());
+        prop_assert!(!play(device.clone().with_memory(&memory()), &steps).is_empty());
     });
 }

@@ -8,6 +8,7 @@ use lexican_runtime::{
 };
 use lexican_tests::{
     bus::Bus,
+    generated::wdga,
     memory::Memory,
     simulated::{Object, Simulated},
 };
@@ -142,11 +143,15 @@ fn capabilities_are_read_before_and_after_a_command() {
 
 #[test]
 fn a_device_without_storage_says_so_and_refuses() {
-    let mut bus = Bus::booted(Simulated::new(&objects()), 1);
+    let mut bus = Bus::booted(wdga::Device::new(()), 1);
     bus.send("601#4010100100000000").expect("581#4310100100000000");
     bus.send("601#4011100100000000").expect("581#4311100100000000");
     bus.send(SAVE_ALL).expect("581#8010100120000008");
     bus.send(LOAD_ALL).expect("581#8011100120000008");
+    // One that was not even asked for its storage says what its dictionary says.
+    let mut bus = Bus::booted(Simulated::new(&objects()), 1);
+    bus.send("601#4010100100000000").expect("581#43101001FF000000");
+    bus.send(SAVE_ALL).expect("581#8010100120000008");
 }
 
 #[test]

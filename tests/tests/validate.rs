@@ -15,6 +15,7 @@ use lexican_tests::{
     bus::Bus,
     complete::complete,
     generated::{cia406, cia406_multi, wdga, wdga_configured, wdga_st, wv58mr, wv58mr_configured, wv58mr_st},
+    memory::Memory,
     sdo_client,
     simulated::Simulated,
 };
@@ -116,8 +117,8 @@ fn read(file: &str) -> Reading {
 /// The generated encoders, which are changed in every place.
 fn encoders() -> [Circle; 2] {
     [
-        Circle::generated("wdga.eds", wdga::Device::new(())),
-        Circle::generated("wv58mr.eds", wv58mr::Device::new(())),
+        Circle::generated("wdga.eds", wdga::Device::with_storage((), memory())),
+        Circle::generated("wv58mr.eds", wv58mr::Device::with_storage((), memory())),
     ]
 }
 
@@ -129,16 +130,21 @@ fn each_encoder(judge: impl Fn(&Circle) -> usize) {
     }
 }
 
+/// What a device stores its parameters in: without one, 1010h and 1011h say so, and differ from the file.
+fn memory() -> Memory {
+    Memory::flash(0x4000)
+}
+
 #[test]
 fn a_generated_device_is_the_one_of_its_file() {
     let circles = [
-        Circle::generated("cia406.eds", cia406::Device::new(())),
-        Circle::generated("cia406-multi.eds", cia406_multi::Device::new(())),
-        Circle::generated("wdga.eds", wdga::Device::new(())),
-        Circle::generated("wdga-st.eds", wdga_st::Device::new(())),
-        Circle::generated("wv58mr.eds", wv58mr::Device::new(())),
-        Circle::generated("wv58mr-st.eds", wv58mr_st::Device::new(())),
-        Circle::generated("wv58mr.dcf", wv58mr_configured::Device::new(())),
+        Circle::generated("cia406.eds", cia406::Device::with_storage((), memory())),
+        Circle::generated("cia406-multi.eds", cia406_multi::Device::with_storage((), memory())),
+        Circle::generated("wdga.eds", wdga::Device::with_storage((), memory())),
+        Circle::generated("wdga-st.eds", wdga_st::Device::with_storage((), memory())),
+        Circle::generated("wv58mr.eds", wv58mr::Device::with_storage((), memory())),
+        Circle::generated("wv58mr-st.eds", wv58mr_st::Device::with_storage((), memory())),
+        Circle::generated("wv58mr.dcf", wv58mr_configured::Device::with_storage((), memory())),
     ];
     for circle in circles {
         assert_eq!(circle.findings(), [], "{}", circle.reading.document.source().name());
@@ -147,7 +153,7 @@ fn a_generated_device_is_the_one_of_its_file() {
 
 #[test]
 fn a_generated_device_has_no_serial_number_until_it_is_given_one() {
-    let found = Circle::generated("wdga.dcf", wdga_configured::Device::new(())).findings();
+    let found = Circle::generated("wdga.dcf", wdga_configured::Device::with_storage((), memory())).findings();
     let messages: Vec<&str> = found.iter().map(|diagnostic| diagnostic.message.as_str()).collect();
     assert_eq!(
         messages,

@@ -126,9 +126,15 @@ impl Row<'_> {
             (self.parts, "CONSTANT"),
             (self.parts, "PARTS"),
             (matches!(self.entry.default, Some(Value::NodeIdPlus(_))), "NODE_ID"),
+            (is_counted(self.entry.address), "COUNTED"),
         ];
         flags.into_iter().filter(|(set, _)| *set).map(|(_, name)| name)
     }
+}
+
+/// Whether it is an element of the error history, of which there are as many as errors (CiA 301, 7.5.2.4).
+fn is_counted(address: Address) -> bool {
+    address.index == 0x1003 && address.sub != 0
 }
 
 /// Whether a mappable value with this access may be mapped into a TPDO (CiA 306-1, table for AccessType).

@@ -55,7 +55,8 @@ pub trait Device {
         0
     }
 
-    /// Memory for what is stored when the power is off, if there is any. None unless overridden.
+    /// Memory for what is stored when the power is off, if there is any. None unless overridden: then 1010h and 1011h read as
+    /// the dictionary says, and refuse to be written.
     fn storage(&mut self) -> Option<&mut Self::Storage> {
         None
     }

@@ -30,11 +30,19 @@ impl Access {
     /// ([`Device::read_part`](super::Device::read_part), [`Device::write_part`](super::Device::write_part)). The dictionary
     /// has no room for it, so it is [`Access::CONSTANT`] too, at any slot.
     pub const PARTS: Self = Self(0x0200);
+    /// An element of an ARRAY whose sub-index 0 says how many there are at the moment: the others have no data. So is the
+    /// error history (1003h).
+    pub const COUNTED: Self = Self(0x0400);
 
     /// This and `other` together.
     #[must_use]
     pub const fn with(self, other: Self) -> Self {
         Self(self.0 | other.0)
+    }
+
+    /// Whether any of `other` is in this.
+    pub(crate) const fn has_any(self, other: Self) -> bool {
+        self.0 & other.0 != 0
     }
 
     /// Whether all of `other` is in this.

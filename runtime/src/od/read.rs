@@ -11,6 +11,7 @@ use crate::{AbortCode, Address};
 /// # Errors
 /// * [`AbortCode::NO_SUCH_OBJECT`], [`AbortCode::NO_SUCH_SUB_INDEX`]
 /// * [`AbortCode::WRITE_ONLY`]
+/// * [`AbortCode::NO_DATA`] for an element beyond those that there are ([`Access::COUNTED`])
 /// * what [`Device::before_read`] refuses with
 /// * [`AbortCode::UNSUPPORTED_ACCESS`] for a value in parts, which an SDO client alone can read
 pub fn read<D: Device>(device: &mut D, address: Address) -> Result<Value<'_>, AbortCode> {
@@ -30,10 +31,23 @@ pub fn readable<D: Device>(device: &mut D, address: Address) -> Result<Entry, Ab
     if !entry.access.has(Access::READ) {
         return Err(AbortCode::WRITE_ONLY);
     }
-    if entry.access.has(Access::READ_HANDLER) {
-        device.before_read(address)?;
+    if entry.access.has_any(Access::READ_HANDLER.with(Access::COUNTED)) {
+        prepare(device, entry)?;
     }
     Ok(entry)
+}
+
+/// Brings the value of `entry` up to date, if there is one.
+#[inline(never)]
+fn prepare<D: Device>(device: &mut D, entry: Entry) -> Result<(), AbortCode> {
+    if entry.access.has(Access::READ_HANDLER) {
+        device.before_read(entry.address())?;
+    }
+    let count = Address::new(entry.index, 0);
+    if entry.access.has(Access::COUNTED) && u32::from(entry.sub) > parameter(device, count) {
+        return Err(AbortCode::NO_DATA);
+    }
+    Ok(())
 }
 
 /// The value of `entry`, without asking anyone.

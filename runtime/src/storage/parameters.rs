@@ -58,8 +58,12 @@ pub(crate) fn after_write<D: Device>(device: &mut D, address: Address) {
     }
 }
 
-/// Lets 1010h and 1011h say what the storage does (CiA 301, 7.5.2.13), where the application does not.
+/// Lets 1010h and 1011h say what the storage does (CiA 301, 7.5.2.13), where the application does not. A device that knows of no
+/// storage keeps what its dictionary says.
 pub(crate) fn show_capabilities<D: Device>(device: &mut D) {
+    if device.storage().is_none() {
+        return;
+    }
     let capabilities = capabilities(device);
     for place in 0..device.table().entries.len() {
         let Some(entry) = device.table().entries.get(place).copied() else {
