@@ -39,6 +39,11 @@ fn multiplexed() {
 }
 
 #[test]
+fn servers() {
+    check("tests/fixtures/codegen/servers.eds", |builder| builder);
+}
+
+#[test]
 fn wdga() {
     check("eds/devices/wdga.eds", |builder| builder);
 }

@@ -379,6 +379,7 @@ pub mod cia406 {
         type Pdos = lexican_runtime::pdo::Pdos<2, 0, 2>;
         type Storage = S;
         type Watches = [lexican_runtime::heartbeat::Watch; 0];
+        type Servers = [lexican_runtime::sdo::Channel<Self::Buffer>; 0];
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS);
         const NUMBERS: NumberSet = NumberSet::of(&ROWS);
         #[inline]
@@ -408,6 +409,10 @@ pub mod cia406 {
         #[inline]
         fn watches(&self) -> Self::Watches {
             [lexican_runtime::heartbeat::Watch::NOBODY; 0]
+        }
+        #[inline]
+        fn servers(&self) -> Self::Servers {
+            [lexican_runtime::sdo::Channel::IDLE; 0]
         }
         #[inline]
         fn storage(&mut self) -> Option<&mut S> {

@@ -383,6 +383,7 @@ pub mod cia406_multi {
         type Pdos = lexican_runtime::pdo::Pdos<2, 0, 2>;
         type Storage = S;
         type Watches = [lexican_runtime::heartbeat::Watch; 0];
+        type Servers = [lexican_runtime::sdo::Channel<Self::Buffer>; 0];
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS);
         const NUMBERS: NumberSet = NumberSet::of(&ROWS);
         #[inline]
@@ -412,6 +413,10 @@ pub mod cia406_multi {
         #[inline]
         fn watches(&self) -> Self::Watches {
             [lexican_runtime::heartbeat::Watch::NOBODY; 0]
+        }
+        #[inline]
+        fn servers(&self) -> Self::Servers {
+            [lexican_runtime::sdo::Channel::IDLE; 0]
         }
         #[inline]
         fn storage(&mut self) -> Option<&mut S> {

@@ -184,6 +184,7 @@ pub mod multiplexed {
         type Pdos = lexican_runtime::pdo::Pdos<2, 2, 4>;
         type Storage = lexican_runtime::storage::NoStorage;
         type Watches = [lexican_runtime::heartbeat::Watch; 0];
+        type Servers = [lexican_runtime::sdo::Channel<Self::Buffer>; 0];
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS).with(ServiceSet::MPDO);
         const NUMBERS: NumberSet = NumberSet::of(&ROWS);
         #[inline]
@@ -213,6 +214,10 @@ pub mod multiplexed {
         #[inline]
         fn watches(&self) -> Self::Watches {
             [lexican_runtime::heartbeat::Watch::NOBODY; 0]
+        }
+        #[inline]
+        fn servers(&self) -> Self::Servers {
+            [lexican_runtime::sdo::Channel::IDLE; 0]
         }
         #[inline]
         fn event(&mut self, event: Event) {

@@ -571,6 +571,7 @@ pub mod wdga {
         type Pdos = lexican_runtime::pdo::Pdos<4, 0, 32>;
         type Storage = S;
         type Watches = [lexican_runtime::heartbeat::Watch; 1];
+        type Servers = [lexican_runtime::sdo::Channel<Self::Buffer>; 0];
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS).with(ServiceSet::LSS);
         const NUMBERS: NumberSet = NumberSet::of(&ROWS);
         #[inline]
@@ -600,6 +601,10 @@ pub mod wdga {
         #[inline]
         fn watches(&self) -> Self::Watches {
             [lexican_runtime::heartbeat::Watch::NOBODY; 1]
+        }
+        #[inline]
+        fn servers(&self) -> Self::Servers {
+            [lexican_runtime::sdo::Channel::IDLE; 0]
         }
         #[inline]
         fn bit_rates(&self) -> lexican_runtime::lss::BitRates {

@@ -320,6 +320,7 @@ pub mod wv58mr_configured {
         type Pdos = lexican_runtime::pdo::Pdos<2, 0, 4>;
         type Storage = S;
         type Watches = [lexican_runtime::heartbeat::Watch; 0];
+        type Servers = [lexican_runtime::sdo::Channel<Self::Buffer>; 0];
         const SERVICES: ServiceSet = ServiceSet::of(&ROWS).with(ServiceSet::LSS);
         const NUMBERS: NumberSet = NumberSet::of(&ROWS);
         #[inline]
@@ -349,6 +350,10 @@ pub mod wv58mr_configured {
         #[inline]
         fn watches(&self) -> Self::Watches {
             [lexican_runtime::heartbeat::Watch::NOBODY; 0]
+        }
+        #[inline]
+        fn servers(&self) -> Self::Servers {
+            [lexican_runtime::sdo::Channel::IDLE; 0]
         }
         #[inline]
         fn bit_rates(&self) -> lexican_runtime::lss::BitRates {

@@ -4,6 +4,7 @@ include!("../generated/cia406.snap.rs");
 include!("../generated/cia406_multi.snap.rs");
 include!("../generated/every_kind.snap.rs");
 include!("../generated/multiplexed.snap.rs");
+include!("../generated/servers.snap.rs");
 include!("../generated/wdga.snap.rs");
 include!("../generated/wdga_configured.snap.rs");
 include!("../generated/wdga_st.snap.rs");

@@ -178,6 +178,7 @@ pub mod device {
         type Pdos = lexican_runtime::pdo::Pdos<0, 0, 0>;
         type Storage = lexican_runtime::storage::NoStorage;
         type Watches = [lexican_runtime::heartbeat::Watch; 0];
+        type Servers = [lexican_runtime::sdo::Channel<Self::Buffer>; 0];
 
         #[inline]
         fn table(&self) -> Table<'_> {
@@ -211,6 +212,11 @@ pub mod device {
 
         #[inline]
         fn watches(&self) -> Self::Watches {
+            []
+        }
+
+        #[inline]
+        fn servers(&self) -> Self::Servers {
             []
         }
 

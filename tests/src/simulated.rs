@@ -4,6 +4,7 @@ use lexican_eds::ir;
 use lexican_runtime::heartbeat::Watch;
 use lexican_runtime::od::{Access, DataType, Device, Entry, Extra, Table, Value, bucket_of, place_of};
 use lexican_runtime::pdo::{Mapped, Parts, Room, Rpdo, Tpdo};
+use lexican_runtime::sdo::Channel;
 use lexican_runtime::{
     AbortCode, Address, Event,
     lss::{BitRate, BitRates},
@@ -306,6 +307,7 @@ impl Device for Simulated {
     type Pdos = SimulatedPdos;
     type Storage = Memory;
     type Watches = Vec<Watch>;
+    type Servers = Vec<Channel<Vec<u8>>>;
 
     fn table(&self) -> Table<'_> {
         Table {
@@ -352,6 +354,12 @@ impl Device for Simulated {
     fn watches(&self) -> Self::Watches {
         let watched = |entry: &&Entry| entry.index == 0x1016 && entry.sub != 0;
         vec![Watch::NOBODY; self.places.iter().filter(watched).count()]
+    }
+
+    fn servers(&self) -> Self::Servers {
+        let servers = self.places.iter();
+        let servers = servers.filter(|entry| matches!((entry.index, entry.sub), (0x1201..=0x127F, 1)));
+        servers.map(|_| Channel::new(self.buffer())).collect()
     }
 
     fn dummy_usage(&self) -> u8 {

@@ -89,7 +89,7 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
     let buffer = number(&plan.buffer().to_string());
     let pdos = plan.pdos();
     let [tpdos, rpdos, mapped] = [pdos.tpdos, pdos.rpdos, pdos.mapped].map(|count| number(&count.to_string()));
-    let watches = number(&plan.watches().to_string());
+    let [watches, servers] = [plan.watches(), plan.servers()].map(|count| number(&count.to_string()));
     let dummy_usage = dummy_usage(pdos.dummy_usage);
     let services = services(plan);
     let bit_rates = bit_rates(plan);
@@ -105,6 +105,7 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
             type Storage = #storage_type;
 
             type Watches = [lexican_runtime::heartbeat::Watch; #watches];
+            type Servers = [lexican_runtime::sdo::Channel<Self::Buffer>; #servers];
 
             const SERVICES: ServiceSet = #services;
             const NUMBERS: NumberSet = NumberSet::of(&ROWS);
@@ -129,6 +130,9 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
 
             #[inline]
             fn watches(&self) -> Self::Watches { [lexican_runtime::heartbeat::Watch::NOBODY; #watches] }
+
+            #[inline]
+            fn servers(&self) -> Self::Servers { [lexican_runtime::sdo::Channel::IDLE; #servers] }
 
             #dummy_usage
 

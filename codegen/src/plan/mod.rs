@@ -126,6 +126,13 @@ impl<'a> Plan<'a> {
         watches.count()
     }
 
+    /// How many SDO servers there are beyond the first: the objects 1201h to 127Fh.
+    pub(crate) fn servers(&self) -> usize {
+        let addresses = self.rows.iter().map(|row| row.entry.address);
+        let servers = addresses.filter(|address| matches!((address.index, address.sub), (0x1201..=0x127F, 1)));
+        servers.count()
+    }
+
     /// The bit rates of DeviceInfo that CiA 305's table has, a bit for each of its rows; `None` of a device without LSS.
     pub(crate) fn bit_rates(&self) -> Option<u16> {
         const TABLE: [u16; 9] = [1000, 800, 500, 250, 125, 0, 50, 20, 10];

@@ -4,7 +4,7 @@ use super::pending::Pending;
 use crate::{
     emcy, heartbeat,
     od::{Device, ServiceSet, Services, Value},
-    pdo, storage, sync, time, AbortCode, Address,
+    pdo, sdo, storage, sync, time, AbortCode, Address,
 };
 
 /// Asks each service that has objects, and notes that they have changed. Not inlined: writes to other objects, the most,
@@ -31,6 +31,9 @@ impl<R: pdo::Room> Services for Effects<'_, R> {
             time::before_write(device, address, value)?;
         }
         pdo::before_write(device, address, number)?;
+        if D::SERVICES.has(ServiceSet::SDO_SERVERS) {
+            sdo::before_write(device, address, number)?;
+        }
         if D::SERVICES.has(ServiceSet::STORAGE) {
             storage::before_write(device, address, number)?;
         }

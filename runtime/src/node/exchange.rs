@@ -48,10 +48,11 @@ impl<D: Device> Node<D> {
         is_sent
     }
 
-    /// Takes a frame that may be SYNC, an RPDO, or a request for a TPDO; in OPERATIONAL only.
+    /// Takes a frame whose identifier is configured, or nobody's here: SYNC, RPDOs and requests for TPDOs in OPERATIONAL only.
     #[inline(never)]
     pub(super) fn receive_other(&mut self, now: Instant, frame: &Frame) {
         if self.nmt.state() == NmtState::Initialising
+            || self.receive_servers(now, frame)
             || self.receive_error_control(now, frame)
             || self.receive_time(frame)
         {

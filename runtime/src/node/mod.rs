@@ -6,6 +6,7 @@ mod error_control;
 mod exchange;
 mod lss;
 mod pending;
+mod servers;
 mod storage;
 
 use dispatch::Service;
@@ -56,6 +57,8 @@ pub struct Node<D: Device> {
     response: [u8; 8],
     /// The LSS slave's response, while [`Pending::LSS`].
     lss_response: [u8; 8],
+    /// The SDO servers beyond the first.
+    channels: D::Servers,
     pending: Pending,
     /// When the first timer of any service runs out.
     due: Instant,
@@ -77,6 +80,8 @@ impl<D: Device> Node<D> {
         let mut pdos = pdo::Set::new(&device, device.pdos());
         pdos.reset();
         let consumers = heartbeat::Consumers::new(device.watches());
+        let mut channels = device.servers();
+        sdo::Channel::assign(&device, channels.as_mut());
         Self {
             device,
             id: node_id,
@@ -95,6 +100,7 @@ impl<D: Device> Node<D> {
             sdo: sdo::Server::new(buffer),
             response: [0; 8],
             lss_response: [0; 8],
+            channels,
             pending: Pending::of_start(node_id),
             due: Instant::NEVER,
             timers: Instant::NEVER,
@@ -180,6 +186,9 @@ impl<D: Device> Node<D> {
     /// Sets how long an SDO client may leave a transfer open, in ms; 1000 unless set.
     pub fn set_sdo_timeout(&mut self, timeout_ms: u32) {
         self.sdo.set_timeout(timeout_ms);
+        for channel in self.channels.as_mut() {
+            channel.set_timeout(timeout_ms);
+        }
     }
 
     /// Reads the value at `address` as a client would, the application's handler included.
@@ -238,7 +247,7 @@ impl<D: Device> Node<D> {
             self.device.event(Event::State(self.nmt.state()));
         }
         if !self.nmt.serves_sdo() {
-            self.end_transfer();
+            self.end_transfers();
         }
         if !self.nmt.exchanges_pdos() {
             self.end_exchange();
@@ -284,7 +293,7 @@ impl<D: Device> Node<D> {
         od::restore(&mut self.device, reset, self.id);
         self.load(reset);
         self.device.event(Event::Reset(reset));
-        self.end_transfer();
+        self.end_transfers();
         self.emcy.reset(&mut self.device);
         self.heartbeat = heartbeat::Producer::new();
         self.consumers.reset();
@@ -297,9 +306,12 @@ impl<D: Device> Node<D> {
         self.pending = self.pending_after_reset();
     }
 
-    fn end_transfer(&mut self) {
+    fn end_transfers(&mut self) {
         self.sdo.reset();
         self.pending.remove(Pending::SDO_ALL);
+        if D::SERVICES.has(ServiceSet::SDO_SERVERS) {
+            self.end_servers();
+        }
     }
 
     /// Lets the emergency messages out when the NMT state allows them (CiA 301, 7.3.2.2), else keeps them.
@@ -357,6 +369,9 @@ impl<D: Device> Node<D> {
         if self.pending.has(Pending::SDO) {
             return Some(self.send_response());
         }
+        if D::SERVICES.has(ServiceSet::SDO_SERVERS) && self.pending.has(Pending::SERVERS) {
+            return self.send_servers(now);
+        }
         if self.pending.has(Pending::BLOCK) {
             return self.send_segment(now);
         }
@@ -377,8 +392,7 @@ impl<D: Device> Node<D> {
         self.device.event(Event::State(self.nmt.state()));
         let period = self.heartbeat_time();
         self.heartbeat.start(now, period);
-        self.configure_exchange(now);
-        self.configure_error_control();
+        self.configure_services(now);
         self.start_up();
         self.tell_emergencies();
         self.schedule();
@@ -417,9 +431,16 @@ impl<D: Device> Node<D> {
     fn configure(&mut self, now: Instant) {
         let period = self.heartbeat_time();
         self.heartbeat.configure(now, period);
+        self.configure_services(now);
+        self.schedule();
+    }
+
+    fn configure_services(&mut self, now: Instant) {
         self.configure_exchange(now);
         self.configure_error_control();
-        self.schedule();
+        if D::SERVICES.has(ServiceSet::SDO_SERVERS) {
+            self.configure_servers();
+        }
     }
 
     /// 1017h in ms; 0, no heartbeat, for a device without it.
@@ -433,6 +454,9 @@ impl<D: Device> Node<D> {
         if let Some(abort) = self.sdo.expire(now) {
             self.response = abort;
             self.pending.add(Pending::SDO);
+        }
+        if D::SERVICES.has(ServiceSet::SDO_SERVERS) {
+            self.expire_servers(now);
         }
         if now >= self.heartbeat.due() {
             self.heartbeat.sent(now);
@@ -459,6 +483,9 @@ impl<D: Device> Node<D> {
         }
         if D::SERVICES.has(ServiceSet::NODE_GUARDING) {
             due = due.min(self.guarding.due());
+        }
+        if D::SERVICES.has(ServiceSet::SDO_SERVERS) {
+            due = due.min(self.servers_due());
         }
         self.timers = due;
         self.due = self.sdo.due().min(due);

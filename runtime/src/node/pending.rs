@@ -24,6 +24,8 @@ impl Pending {
     pub(super) const BLOCK: Self = Self(0x0800);
     /// Anything of the SDO server's.
     pub(super) const SDO_ALL: Self = Self(Self::SDO.0 | Self::BLOCK.0);
+    /// Responses and segments of the other SDO servers.
+    pub(super) const SERVERS: Self = Self(0x1000);
     /// A heartbeat.
     pub(super) const HEARTBEAT: Self = Self(0x0040);
     /// The answer to node guarding.

@@ -1,7 +1,7 @@
 //! What the services need of a device.
 
 use super::{NumberSet, Part, ServiceSet, Table, Value};
-use crate::{heartbeat::Watch, lss::BitRates, pdo::Room, storage::Storage, AbortCode, Address, Event};
+use crate::{heartbeat::Watch, lss::BitRates, pdo::Room, sdo::Channel, storage::Storage, AbortCode, Address, Event};
 
 /// A device: the dictionary that was generated for it, and the application behind it.
 ///
@@ -18,6 +18,9 @@ pub trait Device {
 
     /// Room for the nodes whose heartbeats are watched, `[Watch; N]`: one for each sub-index of 1016h.
     type Watches: AsRef<[Watch]> + AsMut<[Watch]>;
+
+    /// Room for the SDO servers beyond the first, `[Channel<Self::Buffer>; N]`: one for each of 1201h to 127Fh.
+    type Servers: AsRef<[Channel<Self::Buffer>]> + AsMut<[Channel<Self::Buffer>]>;
 
     /// Memory for what is stored when the power is off: [`NoStorage`](crate::storage::NoStorage) for none.
     type Storage: Storage;
@@ -48,6 +51,9 @@ pub trait Device {
 
     /// Room for the nodes that are watched, not used yet.
     fn watches(&self) -> Self::Watches;
+
+    /// Room for the SDO servers beyond the first, not used yet.
+    fn servers(&self) -> Self::Servers;
 
     /// The data types that may stand in an RPDO's mapping for bits that mean nothing (`[DummyUsage]` of an EDS): bit 1 for
     /// 0001h, up to bit 7 for 0007h. None unless overridden.

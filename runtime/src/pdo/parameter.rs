@@ -46,7 +46,7 @@ fn before_communication<D: Device>(
     // What sends in one direction only has no meaning in the other.
     let is_fixed = direction == Direction::Transmit && old.is_valid();
     match sub {
-        sub::COB_ID => check_cob_id(old, CobId(value)),
+        sub::COB_ID => CobId(value).check_change(old),
         sub::TRANSMISSION_TYPE => check_transmission_type(direction, value),
         sub::SYNC_START_VALUE if value > 240 => Err(AbortCode::INVALID_VALUE),
         sub::INHIBIT_TIME | sub::SYNC_START_VALUE
@@ -56,16 +56,6 @@ fn before_communication<D: Device>(
         }
         _ => Ok(()),
     }
-}
-
-fn check_cob_id(old: CobId, new: CobId) -> Result<(), AbortCode> {
-    if !new.is_valid() {
-        return Ok(());
-    }
-    if old.is_valid() && !new.has_identifier_of(old) {
-        return Err(AbortCode::INVALID_VALUE);
-    }
-    new.check()
 }
 
 fn check_transmission_type(direction: Direction, value: u32) -> Result<(), AbortCode> {

@@ -18,6 +18,10 @@
 //!   the client has said that all is right. Its blocks are as long as the buffer.
 //! * A download is collected in a buffer and written when it is complete: an abandoned one has changed nothing.
 //! * An upload is a snapshot taken when it begins.
+//! * The servers beyond the first ([`Channel`]) differ from it in their identifiers only. Each has a buffer of its own: of two
+//!   downloads to one object each is stored whole when it is complete, and the later one stays.
+//! * Other identifiers in 1201h to 127Fh end that server's transfer without a word. A client that takes away the server that
+//!   it is speaking to gets the answer still.
 //!
 //! Every request in every state (`tests/tests/sdo_states.rs` walks this table):
 //!
@@ -39,14 +43,18 @@
 mod block_download;
 mod block_upload;
 mod blocks;
+mod channel;
 mod crc;
 mod download;
 mod incoming;
 mod outgoing;
+mod parameter;
 mod server;
 mod upload;
 
+pub use channel::Channel;
 pub use crc::crc;
+pub use parameter::before_write;
 pub use server::{Answer, Next, Server};
 
 use crate::od::{Access, Device, Entry, ServiceSet};

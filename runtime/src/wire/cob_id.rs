@@ -50,6 +50,21 @@ impl CobId {
         (self.0 ^ other.0) & (Self::NUMBER | Self::EXTENDED) == 0
     }
 
+    /// Refuses a value that a client may not configure in the place of `old`, where bit 31 says whether the message exists.
+    ///
+    /// # Errors
+    /// [`AbortCode::INVALID_VALUE`] when bits 0 to 29 change while it is valid before and after, and for an identifier that
+    /// [`CobId::check`] refuses. A value that is not valid is never refused.
+    pub fn check_change(self, old: Self) -> Result<(), AbortCode> {
+        if !self.is_valid() {
+            return Ok(());
+        }
+        if old.is_valid() && !self.has_identifier_of(old) {
+            return Err(AbortCode::INVALID_VALUE);
+        }
+        self.check()
+    }
+
     /// Refuses an identifier that a client may not configure.
     ///
     /// # Errors
