@@ -1,27 +1,14 @@
-"""python-canopen's LSS master on a bus of lines: each frame goes to standard output as `7E5#0401000000000000`; what
-answers comes on standard input, a frame a line, and `.` after the last.
+"""python-canopen's LSS master on a bus of lines (`line_network.py`).
 
 The slave on the other end has no node-ID. Every step asserts what a master expects of CiA 305.
 """
 
 import sys
-import time
 
-import canopen
 from canopen.lss import LssError
+from line_network import LineNetwork
 
 IDENTITY = [int(number, 16) for number in sys.argv[1:5]]
-
-
-class LineNetwork(canopen.Network):
-    """A network whose bus is this process' standard input and output."""
-
-    def send_message(self, can_id, data, remote=False):
-        print(f"{can_id:03X}#{bytes(data).hex().upper()}", flush=True)
-        for line in iter(lambda: sys.stdin.readline().strip(), "."):
-            assert line, "the slave has gone"
-            answer_id, answer = line.split("#")
-            self.notify(int(answer_id, 16), bytearray.fromhex(answer), time.time())
 
 
 def refused(call, *arguments):

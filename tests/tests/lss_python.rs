@@ -1,11 +1,5 @@
 //! python-canopen as LSS master: it finds a slave without a node-ID, configures it, and selects it again.
 
-use std::{
-    io::{BufRead, BufReader, Write},
-    path::Path,
-    process::{Command, Stdio},
-};
-
 use lexican_runtime::{Node, NodeId, lss::BitRate};
 use lexican_tests::{
     bus::Bus,
@@ -29,25 +23,8 @@ fn python_canopen_finds_configures_and_selects_a_slave() {
     let Some(python) = python::with_canopen() else { return };
     let memory = Memory::flash(64);
     let mut bus = Bus::of(Node::unconfigured(device(&memory)));
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("oracle/lss_master.py");
-    let mut master = Command::new(python)
-        .arg(script)
-        .args(IDENTITY.map(|number| format!("{number:X}")))
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let mut answers = master.stdin.take().unwrap();
-    let mut frames = 0;
-    for frame in BufReader::new(master.stdout.take().unwrap()).lines() {
-        bus.send(&frame.unwrap());
-        while let Some(answer) = bus.take() {
-            writeln!(answers, "{answer:?}").unwrap();
-        }
-        writeln!(answers, ".").unwrap();
-        frames += 1;
-    }
-    assert!(master.wait().unwrap().success());
+    let identity = IDENTITY.map(|number| format!("{number:X}"));
+    let frames = python::talk(&mut bus, &python, "lss_master.py", identity);
     // A fastscan has 133 questions.
     assert!(frames > 133, "{frames} frames");
     bus.advance(20).silence();
