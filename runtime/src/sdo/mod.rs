@@ -20,6 +20,8 @@
 //! * An upload is a snapshot taken when it begins.
 //! * The servers beyond the first ([`Channel`]) differ from it in their identifiers only. Each has a buffer of its own: of two
 //!   downloads to one object each is stored whole when it is complete, and the later one stays.
+//! * Two servers do not know of each other's transfers: of a value in parts that two clients write at once the application gets
+//!   the parts of both. It may refuse the part that begins the second download.
 //! * Other identifiers in 1201h to 127Fh end that server's transfer without a word. A client that takes away the server that
 //!   it is speaking to gets the answer still.
 //!
