@@ -249,6 +249,7 @@ impl Slave {
     }
 
     /// Whether the sequence that begins at `first` goes on with its message `number`, which `matches` or not.
+    #[inline(never)] // Asked in two places.
     fn goes_on(&mut self, first: u8, number: u8, matches: bool) -> bool {
         let is_next = number == 0 || self.matched == first + number;
         let goes_on = is_next && matches;

@@ -101,7 +101,7 @@ impl Outgoing {
         if !matches!(self.size, 1..=4) {
             return None;
         }
-        let piece = self.next(device, buffer).ok()?;
+        let piece = self.cut(device, buffer).ok()?;
         Some(Expedited {
             bits: piece.bits as u32,
             length: Some(piece.length),

@@ -35,17 +35,13 @@ pub(super) enum Begun {
 #[inline]
 pub(super) fn initiate<D: Device>(device: &mut D, buffer: &mut [u8], address: Address) -> Result<Begun, AbortCode> {
     let entry = od::readable(device, address)?;
-    if entry.data_type.length() == 0 {
-        let outgoing = Outgoing::begin(device, buffer, entry, false)?;
-        return Ok(long(device, buffer, outgoing));
-    }
-    match od::load(device, entry)? {
-        Value::Number { bits, data_type } if data_type.length() <= 4 => Ok(Begun::Complete(expedited(bits, data_type))),
-        _ => {
-            let outgoing = Outgoing::begin(device, buffer, entry, false)?;
-            Ok(long(device, buffer, outgoing))
+    if matches!(entry.data_type.length(), 1..=4) {
+        if let Value::Number { bits, data_type } = od::load(device, entry)? {
+            return Ok(Begun::Complete(expedited(bits, data_type)));
         }
     }
+    let outgoing = Outgoing::begin(device, buffer, entry, false)?;
+    Ok(long(device, buffer, outgoing))
 }
 
 /// A number of one to four bytes.
