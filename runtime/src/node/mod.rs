@@ -35,35 +35,36 @@ use crate::{
 /// say ([`Node::poll`], until there is nothing more), and may sleep until [`Node::poll_at`].
 ///
 #[derive(Clone, Debug)]
+#[repr(C)] // What is looked at most stands first: near fields take shorter instructions.
 pub struct Node<D: Device> {
-    device: D,
-    id: NodeId,
-    nmt: nmt::Slave,
-    lss: Slave,
-    emcy: emcy::Producer,
-    heartbeat: heartbeat::Producer,
-    consumers: heartbeat::Consumers<D::Watches>,
-    guarding: guarding::Slave,
-    bus_state: BusState,
-    sync: sync::Producer,
-    sync_consumer: sync::Consumer,
-    pdos: pdo::Set<D::Pdos>,
-    /// What was last reported of RPDOs.
-    faults: pdo::Faults,
-    /// Whether the last SYNC had the wrong length.
-    is_sync_wrong: bool,
-    sdo: sdo::Server<D::Buffer>,
-    /// The SDO server's response, while [`Pending::SDO`].
-    response: [u8; 8],
-    /// The LSS slave's response, while [`Pending::LSS`].
-    lss_response: [u8; 8],
-    /// The SDO servers beyond the first.
-    channels: D::Servers,
-    pending: Pending,
     /// When the first timer of any service runs out.
     due: Instant,
     /// The same but for the SDO server.
     timers: Instant,
+    pending: Pending,
+    id: NodeId,
+    nmt: nmt::Slave,
+    bus_state: BusState,
+    /// Whether the last SYNC had the wrong length.
+    is_sync_wrong: bool,
+    /// The SDO server's response, while [`Pending::SDO`].
+    response: [u8; 8],
+    /// The LSS slave's response, while [`Pending::LSS`].
+    lss_response: [u8; 8],
+    heartbeat: heartbeat::Producer,
+    sync_consumer: sync::Consumer,
+    sync: sync::Producer,
+    lss: Slave,
+    guarding: guarding::Slave,
+    /// What was last reported of RPDOs.
+    faults: pdo::Faults,
+    consumers: heartbeat::Consumers<D::Watches>,
+    sdo: sdo::Server<D::Buffer>,
+    /// The SDO servers beyond the first.
+    channels: D::Servers,
+    emcy: emcy::Producer,
+    pdos: pdo::Set<D::Pdos>,
+    device: D,
 }
 
 impl<D: Device> Node<D> {
