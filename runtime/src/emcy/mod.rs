@@ -40,7 +40,7 @@ pub const WAITING: usize = queue::CAPACITY;
 /// Which errors stand, and what of them is still to be told.
 #[derive(Clone, Debug)]
 pub struct Producer {
-    standing: [Option<Standing>; STANDING],
+    standing: [Standing; STANDING],
     queue: Queue,
     /// Before it no message may be sent (1015h).
     inhibited_until: Instant,
@@ -48,11 +48,18 @@ pub struct Producer {
     due: Instant,
 }
 
-/// An error that stands.
+/// An error that stands; with the code [`Emergency::ERROR_RESET`], none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Standing {
     code: u16,
     register: u8,
+}
+
+impl Standing {
+    const NONE: Self = Self {
+        code: Emergency::ERROR_RESET,
+        register: 0,
+    };
 }
 
 impl Producer {
@@ -60,7 +67,7 @@ impl Producer {
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            standing: [None; STANDING],
+            standing: [Standing::NONE; STANDING],
             queue: Queue::new(),
             inhibited_until: Instant::from_micros(0),
             due: Instant::NEVER,
@@ -71,14 +78,15 @@ impl Producer {
     /// already, when [`STANDING`] others do, or when its code is 0000h.
     pub fn raise<D: Device>(&mut self, device: &mut D, emergency: Emergency) -> bool {
         let code = emergency.code;
-        if code == Emergency::ERROR_RESET || self.is_standing(code) {
+        if code == Emergency::ERROR_RESET || self.find(code).is_some() {
             return false;
         }
-        let Some(free) = self.standing.iter_mut().find(|place| place.is_none()) else {
+        // Bit 0, generic error, is in any error (CiA 301, 7.5.2.2).
+        let register = emergency.register | 0x01;
+        let Some(free) = self.find(Emergency::ERROR_RESET) else {
             return false;
         };
-        let register = emergency.register;
-        *free = Some(Standing { code, register });
+        *free = Standing { code, register };
         history::push(device, emergency);
         self.tell(device, emergency);
         true
@@ -86,18 +94,17 @@ impl Producer {
 
     /// The error `code` is gone: 1001h and a message with error code 0000h say what is left. `false` when it did not stand.
     pub fn clear<D: Device>(&mut self, device: &mut D, code: u16) -> bool {
-        let mut places = self.standing.iter_mut();
-        let Some(place) = places.find(|place| place.is_some_and(|error| error.code == code)) else {
+        let Some(place) = self.find(code).filter(|place| **place != Standing::NONE) else {
             return false;
         };
-        *place = None;
+        *place = Standing::NONE;
         self.tell(device, Emergency::new(Emergency::ERROR_RESET, 0));
         true
     }
 
     /// Forgets all errors and messages, after a reset. A 1001h that was not set here stays as it is.
     pub fn reset<D: Device>(&mut self, device: &mut D) {
-        let had_error = self.standing.iter().any(Option::is_some);
+        let had_error = self.standing.iter().any(|error| *error != Standing::NONE);
         *self = Self::new();
         if had_error {
             self.show_register(device);
@@ -107,7 +114,7 @@ impl Producer {
     /// Whether the error `code` stands.
     #[must_use]
     pub fn is_standing(&self, code: u16) -> bool {
-        self.standing.iter().flatten().any(|error| error.code == code)
+        code != Emergency::ERROR_RESET && self.standing.iter().any(|error| error.code == code)
     }
 
     /// Whether a message waits.
@@ -152,10 +159,15 @@ impl Producer {
         }
     }
 
-    /// Sets 1001h to the bits of all that stands; gives them. Bit 0, generic error, is in any error (CiA 301, 7.5.2.2).
+    /// The error `code`, or with [`Emergency::ERROR_RESET`] the first free place.
+    #[inline(never)]
+    fn find(&mut self, code: u16) -> Option<&mut Standing> {
+        self.standing.iter_mut().find(|place| place.code == code)
+    }
+
+    /// Sets 1001h to the bits of all that stands; gives them.
     fn show_register<D: Device>(&self, device: &mut D) -> u8 {
-        let errors = self.standing.iter().flatten();
-        let register = errors.fold(0, |register, error| register | error.register | 0x01);
+        let register = self.standing.iter().fold(0, |bits, error| bits | error.register);
         // A device without 1001h shows it in its messages only.
         let _ = od::set(device, ERROR_REGISTER, &[register]);
         register

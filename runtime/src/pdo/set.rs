@@ -276,6 +276,7 @@ impl<R: Room> Set<R> {
     }
 
     /// The node left OPERATIONAL.
+    #[inline(never)]
     pub fn stop(&mut self) {
         self.is_running = false;
         self.window = Instant::NEVER;

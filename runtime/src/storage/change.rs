@@ -104,23 +104,20 @@ fn save<D: Device>(device: &mut D, writer: &mut Writer, saved: Group) {
     }
 }
 
+/// Byte by byte, as the value and the storage are both the device's.
 fn save_value<D: Device>(device: &mut D, writer: &mut Writer, entry: Entry) {
-    let (length, bits) = match od::load(device, entry) {
-        Ok(Value::Number { bits, .. }) => (entry.data_type.length(), bits),
-        Ok(Value::Bytes(bytes)) => (bytes.len(), 0),
+    let length = match od::load(device, entry) {
+        Ok(Value::Bytes(bytes)) => bytes.len(),
+        Ok(Value::Number { data_type, .. }) => data_type.length(),
         Err(_) => return,
     };
     let Some(storage) = device.storage() else { return };
     writer.record(storage, entry.address(), length);
-    if entry.data_type.length() != 0 {
-        writer.put(storage, bits.to_le_bytes().get(..length).unwrap_or(&[]));
-        return;
-    }
-    // Byte by byte, as the string and the storage are both the device's.
     for nth in 0..length {
         let byte = match od::load(device, entry) {
             Ok(Value::Bytes(bytes)) => bytes.get(nth).copied(),
-            _ => None,
+            Ok(Value::Number { bits, .. }) => bits.to_le_bytes().get(nth).copied(),
+            Err(_) => None,
         };
         if let Some(storage) = device.storage() {
             writer.put(storage, &[byte.unwrap_or(0)]);

@@ -104,6 +104,7 @@ impl Reader {
     }
 
     /// Reads the records of a whole image.
+    #[inline(never)]
     pub(super) fn of(image: Image) -> Self {
         Self {
             offset: 8,
@@ -196,6 +197,7 @@ impl Writer {
     }
 
     /// Begins a record; its value, of `length` bytes, is to follow.
+    #[inline(never)]
     #[allow(clippy::cast_possible_truncation)] // A dictionary has 64 KiB of values.
     pub(super) fn record<S: Storage>(&mut self, storage: &mut S, address: Address, length: usize) {
         let [i0, i1] = address.index.to_le_bytes();
