@@ -62,6 +62,7 @@ impl<D: Device> Node<D> {
     }
 
     /// The LSS slave's response, if there is one.
+    #[inline(never)]
     pub(super) fn send_lss_response(&mut self) -> Option<Frame> {
         let may_send = D::SERVICES.has(ServiceSet::LSS) && !self.lss.is_switching();
         let has_response = may_send && self.pending.take(Pending::LSS);

@@ -89,6 +89,7 @@ pub(super) const fn refuse_parts(entry: Entry) -> Result<(), AbortCode> {
 
 /// Why there is no entry at `address`.
 #[cold]
+#[inline(never)]
 pub(super) fn absent<D: Device>(device: &D, address: Address) -> AbortCode {
     if device.table().has_object(address.index) {
         AbortCode::NO_SUCH_SUB_INDEX

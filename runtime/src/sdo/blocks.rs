@@ -5,7 +5,7 @@ use super::{
     block_upload::{check_block_size, BlockUpload},
     outgoing::Outgoing,
     server::{Answer, State},
-    upload, Server,
+    Server,
 };
 use crate::{
     od::{self, Device, Services},
@@ -91,8 +91,7 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
         let entry = od::readable(device, address)?;
         let outgoing = Outgoing::begin(device, self.buffer.as_mut(), entry, terms.crc)?;
         if terms.threshold != 0 && outgoing.size() <= usize::from(terms.threshold) {
-            let begun = upload::long(device, self.buffer.as_mut(), outgoing);
-            return Ok(Answer::Response(self.begin_upload(now, address, begun)));
+            return Ok(Answer::Response(self.begin_upload(now, device, outgoing)));
         }
         let upload = BlockUpload::begin(outgoing, terms.block_size);
         self.enter(now, State::BlockUpload(upload));

@@ -74,7 +74,7 @@ const fn after_byte(crc: u16, byte: u8) -> u16 {
 ///
 /// The quotient is `word` · (1 + a)⁻¹ with a = x⁻⁴ + x⁻¹¹ + x⁻¹⁶, and (1 + a)⁻¹ = (1 + a)(1 + a²)(1 + a⁴) as far as 32 bits
 /// see. Of the quotient times P only the lowest 16 bits are left.
-#[inline]
+#[inline(never)]
 const fn remainder(word: u32) -> u32 {
     let quotient = word ^ word >> 16;
     let quotient = quotient ^ quotient >> 8 ^ quotient >> 22;

@@ -77,7 +77,7 @@ impl Incoming {
     }
 
     /// Puts the first `length` bytes of `data` behind those before them.
-    #[inline]
+    #[inline(never)]
     pub(super) fn take<D: Device>(
         &mut self,
         device: &mut D,

@@ -139,7 +139,7 @@ impl Outgoing {
     }
 
     /// The bytes that the next ones are cut from.
-    #[inline]
+    #[inline(never)]
     fn value<'a, D: Device>(&self, device: &'a D, buffer: &'a [u8]) -> Result<&'a [u8], AbortCode> {
         if stands_in_flash::<D>(self.entry) {
             return Ok(od::load(device, self.entry)?.to_bytes());

@@ -5,10 +5,11 @@ use super::{
     block_upload::BlockUpload,
     blocks::Terms,
     download::{self, Download},
+    outgoing::Outgoing,
     upload::{self, Begun, Upload},
 };
 use crate::{
-    od::{Device, Services},
+    od::{Device, Entry, Services},
     wire::sdo::{response, Request, Response, Segment},
     AbortCode, Address, Instant,
 };
@@ -198,25 +199,35 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Server<B> {
     /// `40`: from any state to `Idle` with the value, or to `Upload`.
     #[inline]
     fn upload<D: Device>(&mut self, now: Instant, device: &mut D, address: Address) -> [u8; 8] {
-        match upload::initiate(device, self.buffer.as_mut(), address) {
-            Ok(begun) => self.begin_upload(now, address, begun),
+        match upload::initiate(device, address) {
+            Ok(Begun::Complete(value)) => {
+                self.reset();
+                Response::UploadExpedited { address, value }.emit()
+            }
+            Ok(Begun::Long(entry)) => self.upload_long(now, device, entry),
             Err(code) => self.refuse(address, code),
         }
     }
 
-    #[inline]
-    pub(super) fn begin_upload(&mut self, now: Instant, address: Address, begun: Begun) -> [u8; 8] {
-        match begun {
-            Begun::Complete(value) => {
-                self.reset();
-                Response::UploadExpedited { address, value }.emit()
-            }
-            Begun::Segmented(upload) => {
-                self.enter(now, State::Upload(upload));
-                let size = upload.outgoing.announced();
-                Response::UploadInitiate { address, size }.emit()
-            }
+    #[inline(never)]
+    fn upload_long<D: Device>(&mut self, now: Instant, device: &mut D, entry: Entry) -> [u8; 8] {
+        match Outgoing::begin(device, self.buffer.as_mut(), entry, false) {
+            Ok(outgoing) => self.begin_upload(now, device, outgoing),
+            Err(code) => self.refuse(entry.address(), code),
         }
+    }
+
+    /// From any state to `Idle` if the value fits into the response, else to `Upload`.
+    #[inline(never)]
+    pub(super) fn begin_upload<D: Device>(&mut self, now: Instant, device: &mut D, mut outgoing: Outgoing) -> [u8; 8] {
+        let address = outgoing.address();
+        if let Some(value) = outgoing.expedited(device, self.buffer.as_mut()) {
+            self.reset();
+            return Response::UploadExpedited { address, value }.emit();
+        }
+        let size = outgoing.announced();
+        self.enter(now, State::Upload(Upload::begin(outgoing)));
+        Response::UploadInitiate { address, size }.emit()
     }
 
     /// `60` or `70`: stays in `Upload` until the last segment.

@@ -9,7 +9,7 @@
 
 use super::outgoing::{Outgoing, Piece};
 use crate::{
-    od::{self, DataType, Device, Value},
+    od::{self, DataType, Device, Entry, Value},
     wire::sdo::Expedited,
     AbortCode, Address,
 };
@@ -27,21 +27,20 @@ pub(super) struct Upload {
 pub(super) enum Begun {
     /// The value fits into the response, and that is all.
     Complete(Expedited),
-    /// The value will be asked for in segments.
-    Segmented(Upload),
+    /// The value may be longer.
+    Long(Entry),
 }
 
-/// Takes `40`: gives the value itself, or a snapshot of it that is uploaded in segments.
+/// Takes `40`: gives the value itself if it is a number of up to four bytes.
 #[inline]
-pub(super) fn initiate<D: Device>(device: &mut D, buffer: &mut [u8], address: Address) -> Result<Begun, AbortCode> {
+pub(super) fn initiate<D: Device>(device: &mut D, address: Address) -> Result<Begun, AbortCode> {
     let entry = od::readable(device, address)?;
     if matches!(entry.data_type.length(), 1..=4) {
         if let Value::Number { bits, data_type } = od::load(device, entry)? {
             return Ok(Begun::Complete(expedited(bits, data_type)));
         }
     }
-    let outgoing = Outgoing::begin(device, buffer, entry, false)?;
-    Ok(long(device, buffer, outgoing))
+    Ok(Begun::Long(entry))
 }
 
 /// A number of one to four bytes.
@@ -55,19 +54,15 @@ fn expedited(bits: u64, data_type: DataType) -> Expedited {
     }
 }
 
-/// A value whose bytes are at hand: one to four of them fit into the response.
-#[inline(never)]
-pub(super) fn long<D: Device>(device: &mut D, buffer: &mut [u8], mut outgoing: Outgoing) -> Begun {
-    match outgoing.expedited(device, buffer) {
-        Some(value) => Begun::Complete(value),
-        None => Begun::Segmented(Upload {
+impl Upload {
+    /// Begins with the first segment.
+    pub(super) const fn begin(outgoing: Outgoing) -> Self {
+        Self {
             outgoing,
             toggle: false,
-        }),
+        }
     }
-}
 
-impl Upload {
     /// State `Upload`: takes `60` or `70`, gives the next seven bytes.
     #[inline]
     pub(super) fn segment<D: Device>(
