@@ -361,3 +361,26 @@ fn lss_is_served_in_every_nmt_state() {
         bus.send(INQUIRE_NODE_ID).expect("7E4#5E04000000000000");
     }
 }
+
+#[test]
+fn a_bit_rate_has_the_speed_of_its_row_in_the_table_of_the_standard() {
+    // CiA 305: row 5 is reserved, row 9 is automatic detection.
+    let table = [
+        Some(1000),
+        Some(800),
+        Some(500),
+        Some(250),
+        Some(125),
+        None,
+        Some(50),
+        Some(20),
+        Some(10),
+        None,
+    ];
+    for (index, expected) in (0..).zip(table) {
+        let bit_rate = BitRate::from_index(index);
+        assert_eq!(bit_rate.and_then(BitRate::kbit_per_s), expected, "row {index}");
+        assert_eq!(bit_rate.map(BitRate::index), (index != 5).then_some(index));
+    }
+    assert_eq!(BitRate::from_index(10), None);
+}

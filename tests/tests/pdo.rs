@@ -304,6 +304,19 @@ fn a_dummy_entry_leaves_bytes_out_where_the_device_allows_it() {
     assert_eq!(number(&mut bus, 0x6200), 0x1234);
 }
 
+#[test]
+fn a_valid_tpdo_that_carries_nothing_is_never_sent() {
+    for transmission_type in [0, 1, 252, 253, 254] {
+        let mut bus = operational();
+        set(&mut bus, 0x1803, 2, &[transmission_type]);
+        set(&mut bus, 0x1803, 5, &[10, 0]);
+        set(&mut bus, 0x1803, 1, &[0x81, 0x04, 0, 0]);
+        assert!(!bus.node().trigger_tpdo(4), "type {transmission_type}");
+        bus.send("080#").expect(TPDO_1).silence();
+        bus.send("481#R0").advance(100).silence();
+    }
+}
+
 // COB-IDs
 
 #[test]

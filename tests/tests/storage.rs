@@ -4,7 +4,7 @@ use lexican_runtime::{
     Address, Emergency, Event, Node, NodeId,
     lss::BitRate,
     od::{Access, DataType},
-    storage::{self, Group, Slot},
+    storage::{self, Failed, Group, NoStorage, Slot, Storage},
 };
 use lexican_tests::{
     bus::Bus,
@@ -487,4 +487,25 @@ fn lss_tells_when_the_memory_fails() {
     bus.send("7E5#0401000000000000")
         .send("7E5#1700000000000000")
         .expect("7E4#1702000000000000");
+}
+
+#[test]
+fn a_slot_needs_the_words_of_the_image_and_no_more() {
+    for length in [1, 2, 4, 8] {
+        let object = Object::number(0x2000, 0, length, 0);
+        let mut device = Simulated::new(&[object]).with_memory(&Memory::flash(8));
+        // The head, what LSS stores, the value, the end, the check value.
+        let image = 8 + (5 + 2) + (5 + length) + 5 + 4;
+        let whole_words = storage::room(&mut device) / 8 * 8;
+        assert_eq!(whole_words, image.next_multiple_of(8), "a value of {length} bytes");
+    }
+}
+
+#[test]
+fn no_storage_can_do_nothing() {
+    let mut none = NoStorage;
+    assert_eq!(NoStorage::CAPABILITIES, 0);
+    assert_eq!(none.read(Slot::A, 0), Err(Failed));
+    assert_eq!(none.erase(Slot::A), Err(Failed));
+    assert_eq!(none.write(Slot::A, 0, [0; 8]), Err(Failed));
 }
