@@ -1,5 +1,8 @@
 //! Which objects a PDO carries: entries as a client writes them, and what is kept of them.
 
+// Six bytes are taken apart by shifts when passed by value, and just read by reference: ten instructions a TPDO.
+#![allow(clippy::trivially_copy_pass_by_ref)]
+
 use super::{mpdo, parameter_u8, Direction};
 use crate::{
     od::{self, Access, DataType, Device, Entry, ServiceSet},
@@ -72,27 +75,25 @@ impl Mapped {
 
     /// Its bits, all set.
     const fn mask(self) -> u64 {
-        u64::MAX.wrapping_shr(64u32.wrapping_sub(self.bits as u32))
+        u64::MAX.wrapping_shr(self.rest())
+    }
+
+    /// How many bits of 64 are not its own.
+    const fn rest(&self) -> u32 {
+        64u32.wrapping_sub(self.bits as u32)
+    }
+
+    /// Eight bytes of the device's values from its slot on, of which its bits are the lowest. `None` of a value that is not
+    /// just copied, or of the last ones, behind which there are no eight bytes.
+    fn copy<D: Device>(&self, device: &D) -> Option<u64> {
+        let bytes = device.values().get(usize::from(self.slot)..)?.first_chunk()?;
+        Some(u64::from_le_bytes(*bytes))
     }
 
     /// The value now, brought up to date by the application; when that refuses, as it was.
-    fn load<D: Device>(self, device: &mut D) -> u64 {
-        // Eight bytes from its slot on, of which its bits are the lowest.
-        let bytes = device
-            .values()
-            .get(usize::from(self.slot)..)
-            .and_then(<[u8]>::first_chunk);
-        let bits = match bytes {
-            Some(bytes) => u64::from_le_bytes(*bytes),
-            None => self.load_entry(device),
-        };
-        bits & self.mask()
-    }
-
-    /// The same of a value that is not just copied, or of the last ones, behind which there are no eight bytes.
     #[cold]
     #[inline(never)]
-    fn load_entry<D: Device>(self, device: &mut D) -> u64 {
+    fn load<D: Device>(self, device: &mut D) -> u64 {
         let Some(entry) = self.entry(device) else { return 0 };
         if entry.access.has(Access::READ_HANDLER) {
             let _ = device.before_read(entry.address());
@@ -131,6 +132,8 @@ pub(super) struct Mapping {
     first: u16,
     room: u8,
     count: u8,
+    /// Of all objects together.
+    bits: u8,
     /// In bytes.
     length: u8,
 }
@@ -140,6 +143,7 @@ impl Mapping {
         first: 0,
         room: 0,
         count: 0,
+        bits: 0,
         length: 0,
     };
 
@@ -169,7 +173,7 @@ impl Mapping {
 
     /// Whether it has objects, or each PDO says its own.
     pub(super) const fn is_active(self) -> bool {
-        self.length != 0
+        self.bits != 0
     }
 
     /// Whether each PDO says itself which object it carries.
@@ -179,32 +183,38 @@ impl Mapping {
 
     /// Takes what the parameter at `index` says; if that cannot be mapped, nothing is.
     pub(super) fn configure<D: Device>(&mut self, device: &D, direction: Direction, index: u16, pool: &mut [Mapped]) {
-        (self.count, self.length) = (0, 0);
+        self.hold(0, 0);
         let count = parameter_u8(device, index, 0);
         if D::SERVICES.has(ServiceSet::MPDO) && mpdo::is_multiplexed(count.into()) {
-            self.length = PDO_BITS / 8;
+            self.hold(0, PDO_BITS);
             return;
         }
         let pool = pool.get_mut(usize::from(self.first)..).unwrap_or_default();
         if let Ok(bits) = resolve(device, direction, index, count.into(), pool) {
-            (self.count, self.length) = (count, bits.div_ceil(8));
+            self.hold(count, bits);
         }
     }
 
+    /// It has `count` objects of so many bits together.
+    fn hold(&mut self, count: u8, bits: u8) {
+        (self.count, self.bits, self.length) = (count, bits, bits.div_ceil(8));
+    }
+
     /// The mapped objects.
-    fn objects(self, pool: &[Mapped]) -> &[Mapped] {
+    fn objects<'a>(&self, pool: &'a [Mapped]) -> &'a [Mapped] {
         let first = usize::from(self.first);
         pool.get(first..first + usize::from(self.count)).unwrap_or(&[])
     }
 
     /// The objects' values, the first one in the low bits.
-    pub(super) fn collect<D: Device>(self, device: &mut D, pool: &[Mapped]) -> u64 {
-        let (mut word, mut at) = (0, 0);
+    pub(super) fn collect<D: Device>(&self, device: &mut D, pool: &[Mapped]) -> u64 {
+        let mut word = 0u64;
+        // Each comes in from above, where what is not its own is shifted out. One of 64 bits is the only one.
         for mapped in self.objects(pool) {
-            word |= mapped.load(device).wrapping_shl(at);
-            at += u32::from(mapped.bits);
+            let value = mapped.copy(device).unwrap_or_else(|| mapped.load(device));
+            word = word.wrapping_shr(mapped.bits.into()) | value.wrapping_shl(mapped.rest());
         }
-        word
+        word.wrapping_shr(64u32.wrapping_sub(self.bits.into()))
     }
 
     /// Gives the objects their values.

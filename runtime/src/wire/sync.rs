@@ -21,11 +21,9 @@ pub const fn emit(id: CanId, counter: Option<u8>) -> Frame {
 #[inline]
 #[must_use]
 pub fn parse(frame: &Frame, counts: bool) -> Option<u8> {
-    match frame.data() {
-        [] if !counts => Some(0),
-        [counter] if counts => Some(*counter),
-        _ => None,
-    }
+    let [counter, ..] = frame.word().to_le_bytes();
+    // Without data it is 0.
+    (!frame.is_remote() && frame.length() == usize::from(counts)).then_some(counter)
 }
 
 #[cfg(test)]
