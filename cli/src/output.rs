@@ -64,7 +64,7 @@ pub(crate) fn unwritten(error: &io::Error) -> Failure {
     Failure::io("cannot write to", "standard output", error)
 }
 
-/// Puts `bytes` at `path`, which is a file with other bytes, as [`write`] does.
+/// Puts `bytes` at `path`, which is a file with other bytes, as [`write()`] does.
 pub(crate) fn rewrite(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     replace(path, bytes).map_err(|error| Failure::io("cannot write", &path.display().to_string(), &error))
 }
