@@ -3,6 +3,7 @@
 use std::{fs, path::Path};
 
 use lexican_eds::{
+    Reading, fix, format,
     render::Renderer,
     rules::{self, Levels},
 };
@@ -17,6 +18,13 @@ fn report(bytes: Vec<u8>) -> String {
         .iter()
         .map(|diagnostic| Renderer::plain().render(source, diagnostic))
         .collect()
+}
+
+/// The bytes after `check --fix`.
+fn mended(bytes: Vec<u8>) -> Vec<u8> {
+    let check = |reading: &Reading| rules::check(reading, &Levels::default());
+    let mended = fix::mend(lexican_eds::read("any.eds", bytes), check);
+    mended.reading.document.to_bytes()
 }
 
 fn is_harmless(text: &str) -> bool {
@@ -89,6 +97,24 @@ proptest! {
     #[test]
     fn any_lines_are_checked(lines in proptest::collection::vec(line(), 0..60)) {
         prop_assert!(is_harmless(&report(lines.join("\r\n").into_bytes())));
+    }
+
+    #[test]
+    fn any_lines_are_mended_once_and_for_all(lines in proptest::collection::vec(line(), 0..60)) {
+        let once = mended(lines.join("\r\n").into_bytes());
+        let twice = mended(once.clone());
+        prop_assert_eq!(String::from_utf8_lossy(&twice), String::from_utf8_lossy(&once));
+    }
+
+    #[test]
+    fn any_lines_are_formatted_once_and_for_all(lines in proptest::collection::vec(line(), 0..60)) {
+        let reading = lexican_eds::read("any.eds", lines.join("\r\n").into_bytes());
+        if let Ok(once) = format::format(reading) {
+            let once = once.document.to_bytes();
+            let twice = format::format(lexican_eds::read("any.eds", once.clone()));
+            let twice = twice.expect("what was written can be written").document.to_bytes();
+            prop_assert_eq!(String::from_utf8_lossy(&twice), String::from_utf8_lossy(&once));
+        }
     }
 
     #[test]
