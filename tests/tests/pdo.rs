@@ -52,6 +52,15 @@ fn a_cyclic_tpdo_is_sent_with_every_so_many_th_sync() {
 }
 
 #[test]
+fn a_parameter_of_one_tpdo_leaves_the_countdown_of_another_alone() {
+    let mut bus = operational();
+    set(&mut bus, 0x1800, 2, &[3]);
+    bus.send("080#").silence().send("080#").silence();
+    set(&mut bus, 0x1801, 5, &[0, 0]);
+    bus.send("080#").expect(TPDO_1);
+}
+
+#[test]
 fn an_acyclic_tpdo_is_sent_with_the_sync_after_an_event() {
     let mut bus = operational();
     set(&mut bus, 0x1800, 2, &[0]).send("080#").silence();

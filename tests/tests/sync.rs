@@ -131,3 +131,16 @@ fn an_rpdo_that_misses_the_window_waits_for_nothing() {
     bus.advance(1).send("301#3412").advance(5).send("080#").expect(TPDO_1);
     assert_eq!(lexican_tests::network::number(&mut bus, 0x6200), 0x1234);
 }
+
+#[test]
+fn an_event_driven_tpdo_is_sent_after_the_window_too() {
+    let mut bus = node();
+    set(&mut bus, 0x1007, 0, &[0xD0, 0x07, 0, 0]); // 2 ms
+    set(&mut bus, 0x1801, 1, &[0x81, 0x02, 0, 0x80]);
+    set(&mut bus, 0x1801, 3, &[100, 0]); // an inhibit time of 10 ms
+    set(&mut bus, 0x1801, 1, &[0x81, 0x02, 0, 0]).send("000#0101");
+    assert!(bus.node().trigger_tpdo(2));
+    bus.advance(0).expect("281#77").send("080#").expect(TPDO_1);
+    assert!(bus.node().trigger_tpdo(2));
+    bus.advance(9).silence().advance(1).expect("281#77").silence();
+}
