@@ -420,6 +420,27 @@ fn an_rpdo_that_stays_away_is_reported_until_it_comes() {
     bus.send("201#341203").expect("081#0000000000000000").silence();
 }
 
+#[test]
+fn what_waits_to_be_sent_is_forgotten_when_the_tpdo_becomes_invalid() {
+    let valid = [0x81, 0x02, 0, 0];
+    let invalid = [0x81, 0x02, 0, 0x80];
+    let mut bus = operational();
+    set(&mut bus, 0x1801, 2, &[0]);
+    trigger(&mut bus, 2).silence();
+    set(&mut bus, 0x1801, 1, &invalid);
+    set(&mut bus, 0x1801, 1, &valid);
+    bus.send("080#").expect(TPDO_1).silence();
+
+    set(&mut bus, 0x1801, 1, &invalid);
+    set(&mut bus, 0x1801, 2, &[254]);
+    set(&mut bus, 0x1801, 3, &1000u16.to_le_bytes());
+    set(&mut bus, 0x1801, 1, &valid);
+    trigger(&mut bus, 2).expect(TPDO_2);
+    trigger(&mut bus, 2).silence();
+    set(&mut bus, 0x1801, 1, &invalid);
+    bus.advance(1000).silence().send("080#").expect(TPDO_1).silence();
+}
+
 // NMT
 
 #[test]

@@ -108,6 +108,8 @@ impl Tpdo {
         self.mapping.configure(device, Direction::Transmit, mapping, pool);
         let exists = cob_id.is_valid() && self.mapping.is_active();
         self.id = cob_id.can_id().filter(|_| exists);
+        self.is_requested &= exists;
+        self.has_event &= exists;
         self.allows_rtr = !cob_id.has_bit_30();
         let index = Direction::Transmit.communication(self.number);
         self.transmission_type = parameter_u8(device, index, sub::TRANSMISSION_TYPE);
