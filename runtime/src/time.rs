@@ -5,7 +5,7 @@
 //! ```
 
 use crate::{
-    od::{self, Device, TimeOfDay, Value},
+    od::{self, Device, TimeOfDay},
     wire::{CanId, CobId, Frame},
     AbortCode, Address,
 };
@@ -27,11 +27,11 @@ pub fn receive<D: Device>(device: &D, id: CanId, frame: &Frame) -> Option<TimeOf
 /// # Errors
 /// [`AbortCode::INVALID_VALUE`] for a producer, which this node is not; for other bits 0 to 29 while bit 31 is and stays set;
 /// for an identifier that [`CobId::check`] refuses.
-pub fn before_write<D: Device>(device: &D, address: Address, value: Value<'_>) -> Result<(), AbortCode> {
+pub fn before_write<D: Device>(device: &D, address: Address, value: u32) -> Result<(), AbortCode> {
     if address != COB_ID_TIME {
         return Ok(());
     }
-    let (old, new) = (cob_id(device).unwrap_or_default(), CobId(value.to_u32()));
+    let (old, new) = (cob_id(device).unwrap_or_default(), CobId(value));
     if new.has_bit_30() || consumes(old) && consumes(new) && !new.has_identifier_of(old) {
         return Err(AbortCode::INVALID_VALUE);
     }
@@ -44,7 +44,5 @@ const fn consumes(cob_id: CobId) -> bool {
 }
 
 fn cob_id<D: Device>(device: &D) -> Option<CobId> {
-    od::number(device, COB_ID_TIME)
-        .and_then(|bits| u32::try_from(bits).ok())
-        .map(CobId)
+    od::configured(device, COB_ID_TIME).map(CobId)
 }

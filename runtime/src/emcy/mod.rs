@@ -203,15 +203,10 @@ pub fn after_write<D: Device>(device: &mut D, address: Address) {
 }
 
 fn check_cob_id(old: CobId, new: CobId) -> Result<(), AbortCode> {
-    if new.has_bit_30() || old.is_valid() && new.is_valid() && !new.has_identifier_of(old) {
+    if new.has_bit_30() {
         return Err(AbortCode::INVALID_VALUE);
     }
-    // What does not exist may have any identifier: clients write 8000 0000h.
-    if new.is_valid() {
-        new.check()
-    } else {
-        Ok(())
-    }
+    new.check_change(old)
 }
 
 /// 1014h; `None` for a device without it, which sends no emergencies.

@@ -10,7 +10,7 @@
 //! speaks again after its reset is missed; of a node that was not heard yet it does not start the watch.
 
 use crate::{
-    od::{self, Device, Value},
+    od::{self, Device},
     wire::nmt::NmtState,
     AbortCode, Address, Heard, Instant, NodeId,
 };
@@ -141,11 +141,11 @@ impl<R: AsMut<[Watch]> + AsRef<[Watch]>> Consumers<R> {
 ///
 /// # Errors
 /// [`AbortCode::PARAMETER_INCOMPATIBLE`] for a node that another sub-index watches already (CiA 301, 7.5.2.19).
-pub fn before_write<D: Device>(device: &D, address: Address, value: Value<'_>) -> Result<(), AbortCode> {
+pub fn before_write<D: Device>(device: &D, address: Address, value: u32) -> Result<(), AbortCode> {
     if address.index != CONSUMER_HEARTBEAT_TIME.index {
         return Ok(());
     }
-    let Some(node_id) = Watch::new(value.to_u32()).node_id else {
+    let Some(node_id) = Watch::new(value).node_id else {
         return Ok(());
     };
     let watches = |sub| Watch::new(od::parameter(device, consumer(sub))).node_id;

@@ -25,10 +25,10 @@ impl<R: pdo::Room> Services for Effects<'_, R> {
             sync::before_write(device, address, number)?;
         }
         if D::SERVICES.has(ServiceSet::HEARTBEAT_CONSUMER) {
-            heartbeat::before_write(device, address, value)?;
+            heartbeat::before_write(device, address, number)?;
         }
         if D::SERVICES.has(ServiceSet::TIME) {
-            time::before_write(device, address, value)?;
+            time::before_write(device, address, number)?;
         }
         pdo::before_write(device, address, number)?;
         if D::SERVICES.has(ServiceSet::SDO_SERVERS) {
