@@ -1,0 +1,9 @@
+//! The host's side of a CANopen bus.
+//!
+//! | module | does |
+//! |---|---|
+//! | [`transport`] | carries frames: one way to a bus a file, chosen by a URL |
+//!
+//! What speaks a protocol is sans-IO: it is handed frames and the time, and says what to send and until when to wait.
+
+pub mod transport;
