@@ -12,11 +12,13 @@
 mod area;
 mod cam;
 mod position;
+mod sensor;
 mod speed;
 
 pub use area::{area, Area, OUT_OF_RANGE, OVERFLOW, UNDERFLOW};
 pub use cam::{Cam, Cams};
 pub use position::{Parameters, Position, Reading, Shaft};
+pub use sensor::{Faults, Sensor};
 pub use speed::speed;
 
 /// `a + b` on a circle of `range` steps; both are on it.
