@@ -92,6 +92,17 @@ impl Builder {
         self
     }
 
+    /// Has the application give and take these strings in parts, as it does the DOMAINs that it handles: the dictionary has
+    /// no room for them, and they may have any length.
+    ///
+    /// For a text that stands in flash or in a file, or that is made while it is sent. As many bytes go at a time as
+    /// [`Builder::capacity`] says; an index stands for all strings of its object. The value that the file gives is not used,
+    /// and what goes in parts cannot be stored or put into a PDO.
+    pub fn stream<S: Into<Selector>>(mut self, objects: impl IntoIterator<Item = S>) -> Self {
+        self.options.streams.extend(objects.into_iter().map(Into::into));
+        self
+    }
+
     /// Gives a string or DOMAIN room for `bytes`, 1 to 65,533. An index stands for all strings of its object.
     ///
     /// Without this a string has the room of its default value, or 32 bytes when the file gives it none.

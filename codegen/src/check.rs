@@ -4,8 +4,8 @@ use lexican_eds::ir::{Dictionary, Entry, Object};
 
 use crate::{
     Error, Selector,
-    emit::facts::{is_string, quoted},
-    plan::{Options, Plan},
+    emit::facts::quoted,
+    plan::{Options, Plan, is_string},
 };
 
 /// Offsets into values and constants have 16 bits.
@@ -16,10 +16,11 @@ pub(crate) fn selectors(dictionary: &Dictionary, file: &str, options: &Options) 
     let Options {
         reads,
         writes,
+        streams,
         capacities,
     } = options;
     let strings: Vec<Selector> = capacities.iter().map(|&(selector, _)| selector).collect();
-    for &selector in reads.iter().chain(writes).chain(&strings) {
+    for &selector in reads.iter().chain(writes).chain(streams).chain(&strings) {
         if selector.values(dictionary).next().is_none() {
             return Err(missing(dictionary, file, selector));
         }
@@ -40,6 +41,9 @@ pub(crate) fn selectors(dictionary: &Dictionary, file: &str, options: &Options) 
     }
     if let Some(selector) = without(&one_way(writes, reads), |entry| entry.access.writable()) {
         return Err(Error::NotWritable { selector, file });
+    }
+    if let Some(selector) = without(streams, |entry| is_string(entry.data_type)) {
+        return Err(Error::NotStreamed { selector, file });
     }
     match without(&strings, |entry| is_string(entry.data_type)) {
         Some(selector) => Err(Error::NotAString { selector, file }),

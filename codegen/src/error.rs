@@ -57,6 +57,13 @@ pub enum Error {
         /// The file.
         file: String,
     },
+    /// The builder has the application give in parts what is no string.
+    NotStreamed {
+        /// What the builder names.
+        selector: Selector,
+        /// The file.
+        file: String,
+    },
     /// The dictionary is beyond the 65,536 bytes that its table reaches.
     TooLarge {
         /// The file.
@@ -112,6 +119,9 @@ impl fmt::Display for Error {
             }
             Self::NotAString { selector, file } => {
                 write!(f, "{selector} of {file} is no string, so it has no capacity")
+            }
+            Self::NotStreamed { selector, file } => {
+                write!(f, "{selector} of {file} is no string, so it does not go in parts")
             }
             Self::TooLarge {
                 file,

@@ -74,6 +74,9 @@
 //! | `read_<name>(&mut self, od)` | when a client reads | the value is stored in `od` and sent |
 //! | `write_<name>(&mut self, od, value)` | when a client writes, after access, length and limits | the value is stored in `od` |
 //!
+//! A DOMAIN that is handled, and a string that was named to [`Builder::stream`], go in parts instead:
+//! `read_<name>(&mut self, od, offset, buffer)` and `write_<name>(&mut self, od, part)`.
+//!
 //! An `Err(AbortCode)` is the client's answer, and nothing is stored. Methods of an array have the sub-index as well.
 //! `od` is the whole dictionary, so a handler may change other objects too. With no handler at all the trait is empty and
 //! `()` implements it: `Device::new(())`.

@@ -33,6 +33,11 @@ fn only_strings_have_a_capacity() {
 }
 
 #[test]
+fn only_strings_go_in_parts() {
+    insta::assert_snapshot!(failure(wdga().stream([0x6004])), @"6004h of wdga.eds is no string, so it does not go in parts");
+}
+
+#[test]
 fn a_missing_file_is_named() {
     insta::assert_snapshot!(failure(Builder::new("nowhere/wdga.eds")), @"cannot read nowhere/wdga.eds: No such file or directory (os error 2)");
 }

@@ -104,6 +104,7 @@ fn every_kind_of_object() {
             .handle([0x2600, 0x2601, 0x2602, 0x2603, 0x2604, 0x2605, 0x2606, 0x6004, 0x6030])
             .handle_writes([(0x2300, 1), (0x2300, 3)])
             .handle_writes([Selector::Object(0x1010), Selector::Value(0x6003, 0)])
+            .stream([0x2607])
             .capacity(0x2009 + 10, 20)
             .capacity((0x2603, 0), 100)
     });

@@ -14,6 +14,7 @@ fn every_kind() -> Generated {
     let builder = Builder::new(root().join("tests/fixtures/codegen/every_kind.eds"))
         .handle([0x2600, 0x2601, 0x2602, 0x2603, 0x2604, 0x2605, 0x2606, 0x6004, 0x6030])
         .handle_writes([(0x2300, 1), (0x2300, 3), (0x1010, 1), (0x6003, 0)])
+        .stream([0x2607])
         .capacity((0x2013, 0), 20)
         .capacity((0x2603, 0), 100);
     builder.generate().expect("the fixture is compiled")

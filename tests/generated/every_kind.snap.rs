@@ -4,7 +4,7 @@ pub mod every_kind {
     //! * Vendor: `Lexican`
     //! * Order code: `EK-1`
     //! * Description: `Every kind of object`
-    //! * 404 values of 111 objects; 792 bytes of RAM
+    //! * 405 values of 112 objects; 792 bytes of RAM
     use core::mem::offset_of;
     use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
@@ -621,6 +621,18 @@ pub mod every_kind {
             offset: usize,
             buffer: &mut [u8],
         ) -> Result<usize, AbortCode>;
+        /// 2607h `Report`, `VISIBLE_STRING`, rw, in parts of at most 24 bytes, default `written while it is read`
+        ///
+        /// Called while a client reads it: copies its bytes from `offset` on into `buffer`, as many as there are and fit, and gives the length of the whole value. [`lexican_runtime::od::copy_part`] does so with bytes in memory.
+        ///
+        /// # Errors
+        /// The abort code that the client is answered with.
+        fn read_report(
+            &mut self,
+            od: &mut Dictionary,
+            offset: usize,
+            buffer: &mut [u8],
+        ) -> Result<usize, AbortCode>;
         /// 2603h `Program`, `DOMAIN`, rw, in parts of at most 100 bytes
         ///
         /// Called while a client writes it: once without bytes, when it begins, then with each part in turn.
@@ -628,6 +640,17 @@ pub mod every_kind {
         /// # Errors
         /// The abort code that the client is answered with.
         fn write_program(
+            &mut self,
+            od: &mut Dictionary,
+            part: Part<'_>,
+        ) -> Result<(), AbortCode>;
+        /// 2607h `Report`, `VISIBLE_STRING`, rw, in parts of at most 24 bytes, default `written while it is read`
+        ///
+        /// Called while a client writes it: once without bytes, when it begins, then with each part in turn.
+        ///
+        /// # Errors
+        /// The abort code that the client is answered with.
+        fn write_report(
             &mut self,
             od: &mut Dictionary,
             part: Part<'_>,
@@ -770,6 +793,7 @@ pub mod every_kind {
             let Self { od, handlers, .. } = self;
             match (address.index, address.sub) {
                 (0x2603, 0x00) => handlers.read_program(od, offset, buffer),
+                (0x2607, 0x00) => handlers.read_report(od, offset, buffer),
                 _ => Err(AbortCode::NO_DATA),
             }
         }
@@ -781,13 +805,14 @@ pub mod every_kind {
             let Self { od, handlers, .. } = self;
             match (address.index, address.sub) {
                 (0x2603, 0x00) => handlers.write_program(od, part),
+                (0x2607, 0x00) => handlers.write_report(od, part),
                 _ => Err(AbortCode::NOT_STORED),
             }
         }
     }
 
     const TABLE: Table<'static> = Table {
-        entries: &place::<421>(&ROWS, &SEEDS),
+        entries: &place::<422>(&ROWS, &SEEDS),
         seeds: &SEEDS,
         extras: &EXTRAS,
         constants: &CONSTANTS,
@@ -799,7 +824,7 @@ pub mod every_kind {
     const CONST: Access = Access::READ.with(Access::CONSTANT);
 
     #[rustfmt::skip]
-    const ROWS: [Row; 142] = [
+    const ROWS: [Row; 143] = [
         Row::value(0x1000, 0x00, DataType::UNSIGNED32, CONST, 0),
         Row::value(0x1001, 0x00, DataType::UNSIGNED8, RO.with(Access::TPDO), offset_of!(Dictionary, error_register)),
         Row::value(0x1005, 0x00, DataType::UNSIGNED32, RW, offset_of!(Dictionary, cob_id_sync)),
@@ -938,6 +963,7 @@ pub mod every_kind {
         Row::value(0x2605, 0x00, DataType::VISIBLE_STRING, RO.with(Access::EXTRA).with(Access::READ_HANDLER), 27),
         Row::value(0x2606, 0x00, DataType::UNSIGNED8, CONST, 229),
         Row::elements(0x2606, 0x01, 0x02, DataType::BOOLEAN, RW.with(Access::READ_HANDLER).with(Access::WRITE_HANDLER), offset_of!(Dictionary, switches)),
+        Row::value(0x2607, 0x00, DataType::VISIBLE_STRING, RW.with(Access::CONSTANT).with(Access::PARTS), 0),
         Row::value(0x6003, 0x00, DataType::UNSIGNED32, RW.with(Access::EXTRA).with(Access::WRITE_HANDLER), 28),
         Row::value(0x6004, 0x00, DataType::UNSIGNED32, RO.with(Access::TPDO).with(Access::READ_HANDLER), offset_of!(Dictionary, position_value)),
         Row::value(0x6030, 0x00, DataType::UNSIGNED8, CONST, 215),
@@ -946,15 +972,15 @@ pub mod every_kind {
 
     #[rustfmt::skip]
     const SEEDS: [u16; 135] = [
-        13, 6, 11, 0, 1, 16, 0, 0, 8, 0, 34, 5, 5, 20, 1, 0,
-        0, 36, 22, 12, 14, 8, 32, 14, 2, 4, 3, 3, 7, 4, 7, 24,
-        1, 1, 75, 4, 0, 5, 2, 34, 5, 8, 6, 0, 0, 1, 4, 115,
-        1, 102, 2, 4, 1, 29, 23, 0, 3, 3, 4, 3, 31, 0, 0, 6,
-        13, 1, 0, 0, 1, 5, 2, 47, 85, 0, 3, 11, 109, 27, 4, 1,
-        0, 9, 3, 12, 5, 250, 1, 0, 0, 16, 14, 2, 60, 1, 31, 2,
-        4, 3, 14, 5, 48, 17, 0, 29, 2, 15, 8, 213, 5, 3, 105, 96,
-        16, 42, 18, 8, 8, 9, 55, 6, 0, 7, 49, 122, 34, 31, 57, 3,
-        138, 26, 12, 0, 0, 17, 143,
+        34, 16, 2, 0, 0, 15, 7, 9, 3, 0, 4, 2, 3, 79, 1, 0,
+        0, 38, 2, 8, 20, 10, 80, 47, 2, 2, 0, 0, 1, 4, 9, 1,
+        1, 1, 115, 6, 3, 0, 1, 24, 10, 4, 10, 0, 0, 1, 34, 11,
+        0, 34, 0, 1, 3, 18, 12, 0, 14, 2, 15, 65, 4, 11, 1, 21,
+        4, 47, 1, 0, 1, 8, 4, 4, 50, 0, 15, 13, 148, 33, 31, 0,
+        0, 57, 6, 6, 1, 223, 1, 4, 1, 1, 1, 1, 0, 7, 0, 23,
+        15, 4, 0, 9, 65, 91, 0, 70, 4, 17, 149, 431, 2, 9, 195, 193,
+        2, 32, 398, 3, 33, 38, 246, 2, 16, 14, 273, 316, 231, 12, 15, 10,
+        26, 7, 19, 0, 0, 7, 90,
     ];
 
     #[rustfmt::skip]

@@ -115,8 +115,23 @@ impl Handlers for App {
         Err(AbortCode::NO_DATA)
     }
 
+    /// 2607h `Report`
+    fn read_report(
+        &mut self,
+        _od: &mut Dictionary,
+        _offset: usize,
+        _buffer: &mut [u8],
+    ) -> Result<usize, AbortCode> {
+        Err(AbortCode::NO_DATA)
+    }
+
     /// 2603h `Program`
     fn write_program(&mut self, _od: &mut Dictionary, _part: Part<'_>) -> Result<(), AbortCode> {
+        Ok(())
+    }
+
+    /// 2607h `Report`
+    fn write_report(&mut self, _od: &mut Dictionary, _part: Part<'_>) -> Result<(), AbortCode> {
         Ok(())
     }
 }

@@ -19,6 +19,14 @@ struct App {
     program: Vec<u8>,
 }
 
+/// Bytes of the report, many times what the dictionary has room for.
+const REPORT: usize = 5000;
+
+/// The report's byte `at`: nobody holds it in memory.
+fn letter(at: usize) -> u8 {
+    b"0123456789 "[at * 7 % 11]
+}
+
 impl Handlers for App {
     fn read_switch(&mut self, od: &mut Dictionary) -> Result<bool, AbortCode> {
         Ok(!od.switch.get())
@@ -95,6 +103,18 @@ impl Handlers for App {
         self.log
             .push(format!("program {}+{}{end}", part.offset, part.bytes.len()));
         Ok(())
+    }
+
+    fn read_report(&mut self, _: &mut Dictionary, offset: usize, buffer: &mut [u8]) -> Result<usize, AbortCode> {
+        for (place, at) in buffer.iter_mut().zip(offset..REPORT) {
+            *place = letter(at);
+        }
+        Ok(REPORT)
+    }
+
+    fn write_report(&mut self, _: &mut Dictionary, part: Part<'_>) -> Result<(), AbortCode> {
+        let known = (part.offset..).zip(part.bytes).all(|(at, &byte)| byte == letter(at));
+        if known { Ok(()) } else { Err(AbortCode::DEVICE_STATE) }
     }
 
     fn write_clock(&mut self, _: &mut Dictionary, value: TimeOfDay) -> Result<(), AbortCode> {
@@ -294,6 +314,25 @@ fn a_domain_of_any_length_goes_through_the_application_in_parts() {
     );
     let short = download(&mut bus, address, b"xyz", Manner::Expedited);
     assert_eq!((short, upload(&mut bus, address)), (Ok(()), Ok(b"xyz".to_vec())));
+}
+
+#[test]
+fn a_string_of_any_length_is_made_while_it_is_read_and_judged_while_it_is_written() {
+    let address = Address::new(0x2607, 0);
+    let report: Vec<u8> = (0..REPORT).map(letter).collect();
+    let mut bus = Bus::booted(device(), 1);
+    assert_eq!(upload(&mut bus, address), Ok(report.clone()));
+    let blocks = Manner::Block {
+        announced: true,
+        lost: 5,
+    };
+    assert_eq!(download(&mut bus, address, &report, blocks), Ok(()));
+    let mut other = report;
+    other[4321] ^= 1;
+    assert_eq!(
+        download(&mut bus, address, &other, blocks),
+        Err(AbortCode::DEVICE_STATE)
+    );
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! What the EDS says of an object, in the words of a doc comment.
 
-use lexican_eds::ir::{Address, DataType, Entry, Object, Value};
+use lexican_eds::ir::{Address, Entry, Object, Value};
 
 use super::literal::number_text;
 pub(crate) use super::unit::unit;
@@ -173,11 +173,6 @@ fn show_invisible(text: &str) -> String {
         }
     }
     visible
-}
-
-/// The data types that have no fixed length.
-pub(crate) fn is_string(data_type: DataType) -> bool {
-    data_type.bits().is_none()
 }
 
 #[cfg(test)]

@@ -60,7 +60,7 @@ impl<'a> Item<'a> {
         let kind_of = |entry: &Entry| Kind::new(entry.data_type, capacity.unwrap_or_default());
         let storage = entries
             .first()
-            .map_or(Storage::Field, |entry| Storage::of(object, entry, handled));
+            .map_or(Storage::Field, |entry| Storage::of(object, entry, handled, options));
         if storage == Storage::Parts {
             // Nobody else could answer in the other direction.
             reads = subs(|_, _, entry| entry.access.readable());
@@ -104,12 +104,12 @@ impl<'a> Item<'a> {
 fn is_array(object: &Object, elements: &[Entry], options: &Options) -> bool {
     let Some(first) = elements.first() else { return false };
     let handled = elements.iter().any(|entry| options.handles(object, entry));
-    let storage = Storage::of(object, first, handled);
+    let storage = Storage::of(object, first, handled, options);
     let alike = |(sub, entry): (u8, &Entry)| {
         entry.address.sub == sub
             && entry.data_type == first.data_type
             && entry.access == first.access
-            && Storage::of(object, entry, handled) == storage
+            && Storage::of(object, entry, handled, options) == storage
     };
     is_list(object)
         && object.entries.first().is_some_and(|entry| entry.address.sub == 0)

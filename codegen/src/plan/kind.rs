@@ -101,3 +101,8 @@ impl Width {
         self.bytes() * 8
     }
 }
+
+/// The data types that have no fixed length.
+pub(crate) fn is_string(data_type: DataType) -> bool {
+    data_type.bits().is_none()
+}

@@ -13,7 +13,7 @@ mod storage;
 use lexican_eds::ir::{Address, Dictionary};
 
 pub(crate) use item::Item;
-pub(crate) use kind::{Kind, Width};
+pub(crate) use kind::{Kind, Width, is_string};
 pub(crate) use options::Options;
 pub(crate) use pdos::Pdos;
 pub(crate) use pool::Pool;

@@ -1,7 +1,8 @@
 //! What the builder was told.
 
-use lexican_eds::ir::{Entry, Object};
+use lexican_eds::ir::{DataType, Entry, Object};
 
+use super::kind::is_string;
 use crate::selector::Selector;
 
 /// The room of a string for which neither the file nor the builder gives one, in bytes.
@@ -14,6 +15,8 @@ pub(crate) struct Options {
     pub(crate) reads: Vec<Selector>,
     /// What the application answers for when a client writes it.
     pub(crate) writes: Vec<Selector>,
+    /// What the application gives and takes in parts, besides the DOMAINs that it answers for.
+    pub(crate) streams: Vec<Selector>,
     /// The room of strings, in bytes; the last word counts.
     pub(crate) capacities: Vec<(Selector, usize)>,
 }
@@ -32,6 +35,13 @@ impl Options {
     /// Whether the application answers when a client writes `entry`.
     pub(crate) fn handles_write(&self, object: &Object, entry: &Entry) -> bool {
         entry.access.writable() && self.writes.iter().any(|selector| selector.selects(object, entry))
+    }
+
+    /// Whether `entry` has no room in the dictionary, as the application gives and takes it in parts; `handled` when the
+    /// application answers for it.
+    pub(crate) fn in_parts(&self, object: &Object, entry: &Entry, handled: bool) -> bool {
+        let streamed = self.streams.iter().any(|selector| selector.selects(object, entry));
+        handled && entry.data_type == DataType::Domain || streamed && is_string(entry.data_type)
     }
 
     /// The room of `entry`, if it is a string: what the builder says, else the length of its default.

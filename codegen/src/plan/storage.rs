@@ -1,7 +1,8 @@
 //! Flash or RAM.
 
-use lexican_eds::ir::{AccessType, DataType, Entry, Object, Value};
+use lexican_eds::ir::{AccessType, Entry, Object, Value};
 
+use super::Options;
 use crate::selector::is_count;
 
 /// Where a value stands.
@@ -11,14 +12,14 @@ pub(crate) enum Storage {
     Field,
     /// In flash: nobody ever changes it.
     Constant,
-    /// Nowhere in the dictionary: a DOMAIN of any length, which the application gives and takes in parts.
+    /// Nowhere in the dictionary: a DOMAIN or string of any length, which the application gives and takes in parts.
     Parts,
 }
 
 impl Storage {
     /// Where the value of `entry` stands; `handled` when the application answers for it.
-    pub(crate) fn of(object: &Object, entry: &Entry, handled: bool) -> Self {
-        if handled && entry.data_type == DataType::Domain {
+    pub(crate) fn of(object: &Object, entry: &Entry, handled: bool, options: &Options) -> Self {
+        if options.in_parts(object, entry, handled) {
             return Self::Parts;
         }
         // Without a value in the file it is the application that gives it, even to a const object.
