@@ -1,12 +1,91 @@
 //! Ways to a CAN bus.
+//!
+//! [`open`] takes the name of a bus, as a user writes it behind `--bus`:
+//!
+//! | name | the bus |
+//! |---|---|
+//! | `slcan:/dev/ttyACM0@500k` | an adapter on a serial line; without a bit rate it keeps its own |
+//! | `slcan+tcp://host:port` | the same lines over TCP |
+//! | `slcan+tcp-listen://host:port` | a bus of our own that any number of others join by slcan over TCP |
+//! | `socketcan:can0` | an interface of this Linux machine |
+//! | `socketcand://host:port/can0` | an interface of another Linux machine |
+//! | `virtual:name` | a bus inside this process |
 
 mod error;
+mod hub;
+mod in_process;
+mod slcan;
+mod url;
 
-use std::time::Duration;
+use std::{
+    io::{self, ErrorKind},
+    net::SocketAddr,
+    time::Duration,
+};
 
 use lexican_runtime::wire::Frame;
 
 pub use error::Error;
+pub use url::{BitRate, FORMS, Url, UrlError};
+
+use in_process::Virtual;
+use slcan::{Listener, Slcan, Socket};
+
+/// Opens the bus that `name` names.
+///
+/// ```
+/// use std::time::Duration;
+/// use lexican_bus::transport::{Transport, open};
+/// use lexican_runtime::wire::{CanId, Frame};
+///
+/// # fn main() -> Result<(), lexican_bus::transport::Error> {
+/// let mut one = open("virtual:workshop")?;
+/// let mut other = open("virtual:workshop")?;
+/// one.send(&Frame::byte(CanId::NMT, 0x01))?;
+/// assert_eq!(other.receive(Duration::from_secs(1))?, Some(Frame::byte(CanId::NMT, 0x01)));
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Errors
+/// When it is the name of no bus, or the bus is not there.
+pub fn open(name: &str) -> Result<Box<dyn Transport>, Error> {
+    let url: Url = name
+        .parse()
+        .map_err(|error: UrlError| unopened(name, ErrorKind::InvalidInput, error))?;
+    url.open()
+}
+
+impl Url {
+    /// Opens the bus.
+    ///
+    /// # Errors
+    /// When it is not there.
+    pub fn open(&self) -> Result<Box<dyn Transport>, Error> {
+        let name = self.to_string();
+        match self {
+            Self::SlcanTcp { address, bit_rate } => {
+                let socket = Socket::connect(address).map_err(|cause| unopened(&name, cause.kind(), cause))?;
+                Ok(Box::new(Slcan::open(name, socket, *bit_rate)?))
+            }
+            Self::SlcanTcpListen { address } => Ok(Box::new(Listener::bind(name, address)?)),
+            Self::Virtual { name } => Ok(Box::new(Virtual::join(name))),
+            Self::Slcan { .. } | Self::SocketCan { .. } | Self::Socketcand { .. } => Err(unopened(
+                &name,
+                ErrorKind::Unsupported,
+                "this kind of bus is not built yet",
+            )),
+        }
+    }
+}
+
+fn unopened(bus: &str, kind: ErrorKind, cause: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Error {
+    Error {
+        bus: bus.to_owned(),
+        what: "open",
+        cause: io::Error::new(kind, cause),
+    }
+}
 
 /// A way to a bus: frames out, frames in.
 ///
@@ -25,6 +104,11 @@ pub trait Transport: Send {
     /// # Errors
     /// When the bus is gone: none will come any more.
     fn receive(&mut self, patience: Duration) -> Result<Option<Frame>, Error>;
+
+    /// Where others join, when this is a listener.
+    fn address(&self) -> Option<SocketAddr> {
+        None
+    }
 }
 
 impl<T: Transport + ?Sized> Transport for Box<T> {
@@ -34,5 +118,8 @@ impl<T: Transport + ?Sized> Transport for Box<T> {
 
     fn receive(&mut self, patience: Duration) -> Result<Option<Frame>, Error> {
         (**self).receive(patience)
+    }
+    fn address(&self) -> Option<SocketAddr> {
+        (**self).address()
     }
 }
