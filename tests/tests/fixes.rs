@@ -92,6 +92,48 @@ fn the_file_name_is_fixed_where_it_is_asked_for() {
     );
 }
 
+/// `text` with its safe cures made.
+fn fixed(text: &str) -> String {
+    let mended = fix::mend(lexican_eds::read("x.eds", text.into()), check);
+    mended.reading.document.source().text().to_owned()
+}
+
+#[test]
+fn a_ctrl_z_goes_where_the_file_ends_and_stays_where_it_goes_on() {
+    for end in ["\x1A", "\r\n\x1A", "\r\n\x1A\x1A\0\0", "\r\n\x1A\r\n"] {
+        let ended = fixed(&format!("[FileInfo]\r\nFileRevision=1{end}"));
+        assert_eq!(
+            ended.trim_end_matches("\r\n"),
+            "[FileInfo]\r\nFileRevision=1",
+            "{end:?}"
+        );
+    }
+    let goes_on = "[FileInfo]\r\nFileVersion=1\r\n\x1A\r\nFileRevision=1\r\n";
+    assert_eq!(fixed(goes_on), goes_on);
+}
+
+#[test]
+fn a_sub_index_zero_gets_the_value_that_is_missing_where_nothing_contradicts_it() {
+    let with = |lines: &str| {
+        let sub = "[2100sub1]\nParameterName=One\nDataType=0x0005\nAccessType=ro\n";
+        let object = "[2100]\nParameterName=Points\nObjectType=0x8\nSubNumber=2\n";
+        let zero = format!("[2100sub0]\nParameterName=Count\nAccessType=ro\n{lines}");
+        let text = fixed(&format!("{object}{zero}{sub}"));
+        let (_, zero) = text.split_once("AccessType=ro\n").unwrap();
+        zero.split('[').next().unwrap().to_owned()
+    };
+    assert_eq!(with(""), "DefaultValue=1\n");
+    assert_eq!(with("DefaultValue =\n"), "DefaultValue =1\n");
+    for doubtful in [
+        "DataType=0x0006\n",
+        "LowLimit=2\n",
+        "DefaultValue=one\n",
+        "ParameterValue=\n",
+    ] {
+        assert_eq!(with(doubtful), doubtful);
+    }
+}
+
 #[test]
 fn a_rule_that_always_or_never_fixes_does_so_in_real_files() {
     for case in cases() {
@@ -142,7 +184,12 @@ fn a_fixed_file_has_no_new_findings_but_notes() {
 fn without_what_changes(code: &str, dictionary: &mut Dictionary) {
     match code {
         "EDS006" | "EDS008" | "EDS015" => dictionary.objects.iter_mut().for_each(|object| object.list = None),
-        "EDS013" => dictionary.file = FileInfo::default(),
+        "EDS013" | "EDS017" | "EDS018" => dictionary.file = FileInfo::default(),
+        "OBJ027" => entries(dictionary, |entry| {
+            if entry.address.sub == 0 {
+                entry.default = None;
+            }
+        }),
         "OBJ021" => entries(dictionary, |entry| {
             (entry.default, entry.low, entry.high) = (None, None, None);
         }),
@@ -170,7 +217,9 @@ fn without_places(mut dictionary: Dictionary) -> Dictionary {
 }
 
 /// The rules whose fixes change what they are about.
-const CHANGING: [&str; 7] = ["EDS006", "EDS008", "EDS013", "EDS015", "OBJ021", "DEV001", "PDO015"];
+const CHANGING: [&str; 10] = [
+    "EDS006", "EDS008", "EDS013", "EDS015", "EDS017", "EDS018", "OBJ021", "OBJ027", "DEV001", "PDO015",
+];
 
 #[test]
 fn the_device_stays_the_same_but_for_what_the_rules_are_about() {

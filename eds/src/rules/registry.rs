@@ -130,7 +130,7 @@ const RULES: &[Rule] = &[
     Rule::model::<obj::AbbreviatedAccessType>(),
     Rule::model::<obj::MixedStructure>(),
     Rule::dictionary::<obj::WrongSubIndexZeroType>(),
-    Rule::dictionary::<obj::SilentSubIndexZero>(),
+    Rule::reading::<obj::SilentSubIndexZero>(),
     Rule::dictionary::<obj::ArrayGap>(),
     Rule::dictionary::<obj::MixedArray>(),
     Rule::dictionary::<obj::RepeatedName>(),

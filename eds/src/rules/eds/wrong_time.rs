@@ -2,6 +2,7 @@ use std::ops::RangeInclusive;
 
 use crate::{
     diagnostic::Level,
+    fix::Fix,
     model::{Eds, FileInfo},
     rules::{ModelRule, Report, declare_rule},
     span::Spanned,
@@ -28,7 +29,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, [FileInfo]
-    pub(crate) WrongTime { code: "EDS018", level: Level::Note, since: "0.1.0" }
+    pub(crate) WrongTime { code: "EDS018", level: Level::Note, since: "0.1.0", fixable: Sometimes }
 }
 
 impl ModelRule for WrongTime {
@@ -36,12 +37,17 @@ impl ModelRule for WrongTime {
         let times = eds.file_info.iter().flat_map(times);
         for (keyword, time) in times.filter(|(_, time)| !time.value.is_empty() && !is_time(&time.value)) {
             let value = report.quote(time.span);
+            let certain = certain(&time.value);
             report
                 .at(
                     time.span,
                     format!("{keyword} {value} is not a time of the form hh:mmAM or hh:mmPM"),
                 )
-                .help("write hours up to 12, minutes, and AM or PM, such as 02:05PM");
+                .help(match &certain {
+                    Some(time) => format!("write `{time}`"),
+                    None => "write hours up to 12, minutes, and AM or PM, such as 02:05PM".to_owned(),
+                })
+                .fix(certain.map(|certain| Fix::replace(time.span, certain)));
         }
     }
 }
@@ -64,6 +70,25 @@ fn is_time(text: &str) -> bool {
     is_number(hours, 1..=2, 12) && is_number(minutes, 2..=2, 59)
 }
 
+/// The time that `text` must be, in the standard's form. `10:41` may be in the evening, and the seconds of `13:23:28` would be lost.
+fn certain(text: &str) -> Option<String> {
+    let upper = text.to_ascii_uppercase();
+    let suffix = ["AM", "PM"].into_iter().find(|half| upper.ends_with(half));
+    let clock = upper.strip_suffix(suffix.unwrap_or_default())?.trim_end();
+    let (hours, minutes) = clock.split_once(':')?;
+    let hour: u8 = hours.parse().ok().filter(|_| is_number(hours, 1..=2, 23))?;
+    let half = match (suffix, hour) {
+        (Some("AM"), 0..=12) | (None, 0) => "AM",
+        (Some("PM"), 1..) | (None, 13..) => "PM",
+        _ => return None,
+    };
+    let hour = match hour % 12 {
+        0 => 12,
+        hour => hour,
+    };
+    is_number(minutes, 2..=2, 59).then(|| format!("{hour:02}:{minutes}{half}"))
+}
+
 /// Whether `text` is a number of so many digits, at most `largest`.
 fn is_number(text: &str, digits: RangeInclusive<usize>, largest: u8) -> bool {
     let all_digits = digits.contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_digit());
@@ -72,7 +97,7 @@ fn is_number(text: &str, digits: RangeInclusive<usize>, largest: u8) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::is_time;
+    use super::{certain, is_time};
 
     #[test]
     fn a_time_is_hours_minutes_and_the_half_of_the_day() {
@@ -88,6 +113,26 @@ mod tests {
             ":30AM",
         ] {
             assert!(!is_time(wrong), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_time_is_certain_when_the_half_of_the_day_cannot_be_mistaken() {
+        for (text, time) in [
+            ("08:55 PM", "08:55PM"),
+            ("3:46pm", "03:46PM"),
+            ("21:37PM", "09:37PM"),
+            ("14:05", "02:05PM"),
+            ("00:15", "12:15AM"),
+            ("0:15 am", "12:15AM"),
+            ("12:00 pm", "12:00PM"),
+        ] {
+            assert_eq!(certain(text).as_deref(), Some(time), "{text}");
+        }
+        for doubtful in [
+            "10:41", "12:00", "21:37AM", "0:15PM", "13:23:28", "24:00", "13:60", "+9:30 AM", "PM", "ÄM",
+        ] {
+            assert_eq!(certain(doubtful), None, "{doubtful}");
         }
     }
 }

@@ -1,7 +1,9 @@
 use crate::{
     diagnostic::Level,
     document::{Document, Problem},
+    fix::Fix,
     rules::{DocumentRule, Report, declare_rule},
+    span::Span,
 };
 
 declare_rule! {
@@ -17,7 +19,7 @@ declare_rule! {
     ///
     /// ## Reference
     /// CiA 306-1, format of the file: ASCII
-    pub(crate) ControlCharacter { code: "INI010", level: Level::Warn, since: "0.1.0" }
+    pub(crate) ControlCharacter { code: "INI010", level: Level::Warn, since: "0.1.0", fixable: Sometimes }
 }
 
 impl DocumentRule for ControlCharacter {
@@ -26,10 +28,29 @@ impl DocumentRule for ControlCharacter {
             if let Problem::ControlCharacter { at, character } = *problem {
                 report
                     .at(at, format!("control character {} in the text", name(character)))
-                    .help("remove it");
+                    .help("remove it")
+                    .fix(is_end(document, at).then(|| Fix::replace(rest_of_line(document, at), "")));
             }
         }
     }
+}
+
+/// Whether the file ends here: nothing but what programs of old fill up with follows. Those that end at Ctrl-Z and those that
+/// pass over it read the same file.
+fn is_end(document: &Document, at: Span) -> bool {
+    let rest = document.source().text().get(at.start as usize..).unwrap_or_default();
+    rest.chars().all(is_filling)
+}
+
+/// From `at` to the end of its line, the line end left out.
+fn rest_of_line(document: &Document, at: Span) -> Span {
+    let rest = document.source().text().get(at.start as usize..).unwrap_or_default();
+    let length = rest.find(['\r', '\n']).unwrap_or(rest.len());
+    Span::of(at.start as usize..at.start as usize + length)
+}
+
+const fn is_filling(character: char) -> bool {
+    matches!(character, '\0' | '\x1A') || character.is_ascii_whitespace()
 }
 
 fn name(character: char) -> String {
