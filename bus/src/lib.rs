@@ -2,8 +2,10 @@
 //!
 //! | module | does |
 //! |---|---|
+//! | [`log`] | reads logs of a bus, and writes them |
 //! | [`transport`] | carries frames: one way to a bus a file, chosen by a URL |
 //!
 //! What speaks a protocol is sans-IO: it is handed frames and the time, and says what to send and until when to wait.
 
+pub mod log;
 pub mod transport;

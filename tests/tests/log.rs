@@ -1,0 +1,244 @@
+//! Logs of a bus: those that python-can writes, and samples of what the other tools write.
+
+use std::{
+    fs,
+    io::{BufReader, ErrorKind, Read, repeat},
+    path::Path,
+    process::Command,
+};
+
+use lexican_bus::log::{Damage, Format, Reader, Record, Summary, Writer};
+use lexican_runtime::Instant;
+use lexican_tests::python;
+
+/// The frames of a log as `µs channel id#data`, and what became of its lines.
+fn read(log: &[u8]) -> (Vec<String>, Summary) {
+    let mut reader = Reader::new(log);
+    let mut frames = Vec::new();
+    while let Some(record) = reader.next_record().expect("memory can be read") {
+        frames.push(shown(&reader, &record));
+    }
+    (frames, reader.summary().clone())
+}
+
+fn shown<R: std::io::BufRead>(reader: &Reader<R>, record: &Record) -> String {
+    let (time, channel) = (record.time.as_micros(), reader.channel_name(record.channel));
+    format!("{time} {channel} {:?}", record.frame)
+}
+
+#[track_caller]
+fn assert_read(log: &str, expected: &[&str]) {
+    let (frames, summary) = read(log.as_bytes());
+    assert_eq!(frames, expected, "{summary:?}");
+    assert_eq!(summary.damages, []);
+}
+
+#[test]
+fn what_python_can_writes_is_read_frame_by_frame() {
+    let Some(python) = python::with_canopen() else { return };
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("logs");
+    fs::create_dir_all(&folder).expect("a folder for tests");
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("oracle/write_logs.py");
+    let output = Command::new(python)
+        .arg(script)
+        .arg(&folder)
+        .output()
+        .expect("python runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let written = String::from_utf8(output.stdout).expect("text");
+    let written: Vec<&str> = written.lines().collect();
+    assert_eq!(written.len(), 1005);
+    // ASC counts from the first message, and has numbers for the buses; the others keep the whole time.
+    for (file, format, start) in [
+        ("log.log", Format::Candump, 0),
+        ("log.asc", Format::Asc, 1_700_000_000_000_000),
+        ("log.csv", Format::Csv, 0),
+    ] {
+        let text = fs::read(folder.join(file)).expect("what python has written");
+        let mut reader = Reader::new(&text[..]);
+        let mut frames = Vec::new();
+        while let Some(Record { time, frame, .. }) = reader.next_record().expect("memory can be read") {
+            frames.push(format!("{} {frame:?}", time.as_micros() + start));
+        }
+        assert_eq!(reader.format(), Some(format));
+        assert_eq!(reader.summary().damages, [], "{file}");
+        assert_eq!(frames, written, "{file}");
+    }
+}
+
+#[test]
+fn what_candump_shows_on_a_terminal_is_read_with_and_without_times() {
+    assert_read(
+        "  can0  601   [8]  40 00 10 00 00 00 00 00
+  vcan1  18FEDF00   [0] 
+  can0  704   [1]  remote request
+  can0  704   [2]  11 22   '.\"'
+  can0  TX - -  080   [0]
+  can0  RX B E  123  [12]  00 00 00 00 00 00 00 00 00 00 00 00
+  can0  20000004   [8]  00 04 00 00 00 00 00 60   ERRORFRAME
+ (1436509052.249713)  can0  185   [3]  2A 36 6C
+ (2015-07-10 06:17:32.249714)  can0  185   [1]  FF
+ (000.001200)  can0  185   [1]  00
+",
+        &[
+            "0 can0 601#4000100000000000",
+            "0 vcan1 18FEDF00#",
+            "0 can0 704#R1",
+            "0 can0 704#1122",
+            "0 can0 080#",
+            "1436509052249713 can0 185#2A366C",
+            "1436509052249714 can0 185#FF",
+            "1200 can0 185#00",
+        ],
+    );
+}
+
+#[test]
+fn what_candump_logs_is_read_whatever_its_options() {
+    assert_read(
+        "(1436509052.249713) can0 601#4000100000000000\r
+(1436509052.249714) any 00000601#40 R
+(1436509052.249715) can0 704#R
+(1436509052.249716) can0 704#R8_A T
+(1436509052.249717) can0 181#1122334455667788_F
+(1436509052.249718) can0 123##51122
+(1436509052.249719) can0 20000004#0001000000000000
+\x1b[31m(1436509052.249720)\x1b[0m can0 \x1b[1m080#\x1b[0m",
+        &[
+            "1436509052249713 can0 601#4000100000000000",
+            "1436509052249714 any 00000601#40",
+            "1436509052249715 can0 704#R0",
+            "1436509052249716 can0 704#R8",
+            "1436509052249717 can0 181#1122334455667788",
+            "1436509052249720 can0 080#",
+        ],
+    );
+}
+
+#[test]
+fn vectors_logs_are_read_with_hexadecimal_and_decimal_numbers_and_both_ways_of_time() {
+    assert_read(
+        "date Mit Jul 10 08:17:32.249 am 2015
+base hex  timestamps absolute
+internal events logged
+// version 9.0.0
+Begin Triggerblock Mit Jul 10 08:17:32.249 am 2015
+   0.000000 Start of measurement
+   0.012345 1  601             Rx   d 8 40 00 10 00 00 00 00 00  Length = 228000 BitCount = 118 ID = 1537
+   0.013000 2  18FEDF00x       Tx   r 2
+   0.013001 2  704             Rx   r
+   0.013002 1  080             TxRq d 0
+   0.013500 1  ErrorFrame      ECC: 10100010
+   0.014000 CANFD   1 Rx        181  Name_1  0 0 8  8 01 02 03 04 05 06 07 08 130000 130 1000 0 0 0 0 0
+   0.014500 CANFD   1 Rx        182          0 0 2  2 01 02 130000 130 0 0 0 0 0 0
+   0.014600 CANFD   1 Rx        183          0 0 1  0 130000 130 10 0 0 0 0 0
+   0.015000 1  Statistic: D 2 R 0 XD 0 XR 0 E 0 O 0 B 0.46%
+   0.015100 CAN 1 Status:chip status error active
+   0.015200 SV: 2 0 1 ::Var = 5
+End TriggerBlock
+",
+        &[
+            "12345 1 601#4000100000000000",
+            "13000 2 18FEDF00#R2",
+            "13001 2 704#R0",
+            "13002 1 080#",
+            "14500 1 182#0102",
+            "14600 1 183#R1",
+        ],
+    );
+    assert_read(
+        "date Fri Jul 10 08:17:32 am 2015
+base dec timestamps relative
+   0.500000 1  1537            Rx   d 2 64 255
+   0.250000 1  419356416x      Rx   d 1 7
+",
+        &["500000 1 601#40FF", "750000 1 18FEDF00#07"],
+    );
+}
+
+#[test]
+fn a_part_of_a_log_without_its_header_is_told_by_its_lines() {
+    assert_read("   0.012345 1  601  Rx   d 1 40\n", &["12345 1 601#40"]);
+    assert_read("1.5,0x601,0,0,0,1,QA==\n", &["1500000 can0 601#40"]);
+}
+
+#[test]
+fn damaged_lines_are_counted_with_their_numbers_and_the_others_kept() {
+    let (frames, summary) = read(
+        b"0 bottles of beer
+(1.000000) can0 601#40
+(1.0x0000) can0 601#40
+(1.000000) can0 601#4
+(1.000000) can0 601#112233445566778899
+(1.000000) can0 801#40
+(1.000000) can0
+can0  601   [8]  40 00 10
+can0  601   [2]  40 00 10
+
+(1.000000) can0 602#41
+(2.000000) can0 60",
+    );
+    assert_eq!(frames, ["1000000 can0 601#40", "1000000 can0 602#41"]);
+    let lines: Vec<u64> = summary.damages.iter().map(|damage| damage.line).collect();
+    assert_eq!(lines, [1, 3, 4, 5, 6, 7, 8, 9, 12]);
+    let fourth = Damage {
+        line: 4,
+        reason: "the data are not up to eight bytes",
+    };
+    assert_eq!(summary.damages[2], fourth);
+    assert_eq!((summary.lines, summary.frames, summary.damaged), (12, 2, 9));
+}
+
+#[test]
+fn a_million_damaged_lines_are_counted_and_the_first_remembered() {
+    let mut log = b"(1.000000) can0 601#40\n".to_vec();
+    log.extend(b"\xFF\n".repeat(1_000_000));
+    let (frames, summary) = read(&log);
+    assert_eq!((frames.len(), summary.damaged), (1, 1_000_000));
+    assert_eq!(summary.damages.len(), 20);
+}
+
+#[test]
+fn a_line_without_end_does_not_fill_the_memory() {
+    let endless = repeat(b'x').take(1 << 24);
+    let log = b"(1.000000) can0 601#40\n"
+        .chain(endless)
+        .chain(&b"\n(2.000000) can0 601#41\n"[..]);
+    let mut reader = Reader::new(BufReader::new(log));
+    let frames: Vec<Record> = reader
+        .by_ref()
+        .map(|record| record.expect("memory can be read"))
+        .collect();
+    assert_eq!(frames.len(), 2);
+    assert_eq!((reader.summary().lines, reader.summary().damaged), (3, 1));
+}
+
+#[test]
+fn what_is_no_log_is_refused_and_nothing_is_an_empty_log() {
+    for text in [&b"[FileInfo]\nFileName=a.eds\n"[..], b"\x7FELF\0\0", b"{\"format\": 1}"] {
+        let error = Reader::new(text).next_record().expect_err("no log");
+        assert_eq!(error.kind(), ErrorKind::InvalidData);
+    }
+    let endless = Reader::new(BufReader::new(repeat(b'\n').chain(repeat(b'x')).take(1 << 20)));
+    assert_eq!(endless.count(), 0);
+    let endless = b"x\n".repeat(20_000);
+    let mut reader = Reader::new(&endless[..]);
+    reader.next_record().expect_err("no log");
+    assert_eq!(reader.summary().lines, 10_000);
+}
+
+#[test]
+fn what_is_written_is_read_again() {
+    let log = "(1436509052.249713) can0 601#4000100000000000\n(1436509052.249714) can0 18FEDF00#R2\n";
+    let mut writer = Writer::new(Vec::new(), "can0");
+    for record in Reader::new(log.as_bytes()) {
+        let record = record.expect("memory can be read");
+        writer.write(record.time, &record.frame).expect("memory takes it");
+    }
+    assert_eq!(String::from_utf8(writer.into_inner()).unwrap(), log);
+    let mut writer = Writer::new(Vec::new(), "my bus#1");
+    let frame = Reader::new(log.as_bytes()).next().unwrap().unwrap().frame;
+    writer.write(Instant::from_millis(5), &frame).expect("memory takes it");
+    let text = String::from_utf8(writer.into_inner()).unwrap();
+    assert_eq!(text, "(0000000000.005000) my_bus_1 601#4000100000000000\n");
+}
