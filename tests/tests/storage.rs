@@ -1,7 +1,7 @@
 //! Storing and restoring parameters, as a client sees it (CiA 301, 7.5.2.13, 7.5.2.14 and 7.5.2.18).
 
 use lexican_runtime::{
-    Address, Emergency, Event, Node, NodeId,
+    AbortCode, Address, Emergency, Event, Node, NodeId,
     lss::BitRate,
     od::{Access, DataType},
     storage::{self, Failed, Group, NoStorage, Slot, Storage},
@@ -263,6 +263,51 @@ fn an_error_history_with_a_group_of_its_own_outlives_power_off() {
     let memory = Memory::flash(256).with_group(0x6000, None);
     saved(&mut changed(&memory), 1);
     assert_eq!(values(&mut switched_on(&memory)), [CHANGED[0], CHANGED[1], DEFAULTS[2]]);
+}
+
+#[test]
+fn a_group_from_128_on_is_the_applications_alone_and_outlives_every_restore() {
+    let own = Group(0x80);
+    let memory = Memory::eeprom(4096).with_group(0x2000, Some(own));
+    let mut bus = switched_on(&memory);
+    set(&mut bus, 0x2000, 0, &[7, 0, 0, 0]);
+    saved(&mut bus, 1);
+    assert_eq!(
+        number(&mut switched_on(&memory), 0x2000, 0),
+        100,
+        "a client saves it not"
+    );
+    bus.node().save(own).expect("a memory that works");
+    saved(&mut bus, 1);
+    restored(&mut bus, 1);
+    assert_eq!(number(&mut switched_on(&memory), 0x2000, 0), 7);
+}
+
+#[test]
+fn the_application_configures_node_id_and_bit_rate_as_lss_does() {
+    let memory = Memory::eeprom(4096);
+    let mut bus = switched_on(&memory);
+    let node_id = NodeId::new(5).expect("a node-ID");
+    let configured = (Some(node_id), Some(BitRate::KBIT_250));
+    bus.node()
+        .configure_lss(node_id, Some(BitRate::KBIT_250))
+        .expect("a memory that works");
+    assert_eq!(bus.node().configured_lss(), configured);
+    assert_eq!(bus.node().node_id(), NodeId::new(1), "not before a reset");
+    bus.send("000#8101").expect("705#00");
+
+    memory.fail_after(0);
+    let failed = bus.node().configure_lss(node_id, None);
+    assert_eq!(failed, Err(AbortCode::HARDWARE_ERROR));
+    memory.power_on();
+    let mut bus = Bus::new(Simulated::new(&objects()).with_memory(&memory), 1);
+    bus.advance(0).expect("705#00");
+    assert_eq!(bus.node().configured_lss(), configured);
+    let mut forgetful = Bus::booted(Simulated::new(&objects()), 1);
+    assert_eq!(
+        forgetful.node().configure_lss(node_id, None),
+        Err(AbortCode::NOT_STORED)
+    );
 }
 
 #[test]

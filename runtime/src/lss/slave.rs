@@ -126,6 +126,12 @@ impl Slave {
         self.persistent = node_id;
     }
 
+    /// The application configures both, as a master would.
+    pub(crate) fn configure_both(&mut self, node_id: NodeId, bit_rate: Option<BitRate>) {
+        self.pending = node_id;
+        self.pending_bit_rate = bit_rate;
+    }
+
     /// What was pending is stored.
     pub(crate) fn stored(&mut self) {
         self.persistent = self.pending;

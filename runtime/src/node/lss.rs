@@ -1,6 +1,9 @@
 //! LSS: what the slave's reactions mean for the node.
 
-use super::{Node, Pending};
+use super::{
+    storage::{DONE, NOT_SUPPORTED},
+    Node, Pending,
+};
 use crate::{
     lss::{BitRate, Reaction, State},
     od::{self, Device, Reset, ServiceSet},
@@ -9,7 +12,7 @@ use crate::{
         nmt::NmtCommand,
         CanId, Frame,
     },
-    Event, Instant, NodeId,
+    AbortCode, Event, Instant, NodeId,
 };
 
 impl<D: Device> Node<D> {
@@ -39,6 +42,28 @@ impl<D: Device> Node<D> {
     #[must_use]
     pub fn bit_rate(&self) -> Option<BitRate> {
         self.lss.bit_rate()
+    }
+
+    /// The node-ID and bit rate that were configured last, by an LSS master or [`Node::configure_lss`]: those that the next reset
+    /// of the node finds, once they are stored. `None` for a node-ID that is yet to be given, and for a bit rate that is the
+    /// application's choice.
+    #[must_use]
+    pub fn configured_lss(&self) -> (Option<NodeId>, Option<BitRate>) {
+        (self.lss.pending_node_id(), self.lss.pending_bit_rate())
+    }
+
+    /// Configures node-ID and bit rate as an LSS master does, and stores them: for a device that has objects for them. They
+    /// count from the next reset of the node on.
+    ///
+    /// # Errors
+    /// As [`Node::save`]; they are configured all the same, and lost with the next reset.
+    pub fn configure_lss(&mut self, node_id: NodeId, bit_rate: Option<BitRate>) -> Result<(), AbortCode> {
+        self.lss.configure_both(node_id, bit_rate);
+        match self.store_settings() {
+            DONE => Ok(()),
+            NOT_SUPPORTED => Err(AbortCode::NOT_STORED),
+            _ => Err(AbortCode::HARDWARE_ERROR),
+        }
     }
 
     #[inline(never)]

@@ -8,8 +8,8 @@ use crate::{
     AbortCode, NodeId,
 };
 
-const DONE: u8 = 0;
-const NOT_SUPPORTED: u8 = 1;
+pub(super) const DONE: u8 = 0;
+pub(super) const NOT_SUPPORTED: u8 = 1;
 const ACCESS_ERROR: u8 = 2;
 
 impl<D: Device> Node<D> {

@@ -2,13 +2,16 @@
 
 use crate::od::{Access, DataType, Entry};
 
-/// A group of parameters: a sub-index of 1010h and 1011h, 1 to 127.
+/// A group of parameters: a sub-index of 1010h and 1011h, 1 to 127; from 128 on, what has none.
+///
+/// What is in a group from 128 on outlives every restore, and no `save` of a client stores it: the application does
+/// ([`Node::save`](crate::Node::save)). So data are kept that are stored without being told to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Group(pub u8);
 
 impl Group {
-    /// 1: all that is stored.
+    /// 1: all that is stored, but for the groups from 128 on.
     pub const ALL: Self = Self(1);
     /// 2: communication parameters, 1000h to 1FFFh.
     pub const COMMUNICATION: Self = Self(2);
@@ -20,7 +23,7 @@ impl Group {
     /// Whether what belongs to `other` is in this group.
     #[must_use]
     pub fn includes(self, other: Self) -> bool {
-        self == Self::ALL || self == other
+        self == other || self == Self::ALL && other.0 < 0x80
     }
 
     /// The group of a value that a client may read and write, `None` of others, and of what is no configuration: process

@@ -147,7 +147,8 @@ pub trait Storage {
 
     /// The group with which the value of `entry` is stored, `None` for never: [`Group::of`] unless overridden.
     ///
-    /// A manufacturer's own groups have the numbers 5 to 127. So a persistent error history is 1003h in a group of its
+    /// A manufacturer's own groups have the numbers 5 to 127, and from 128 on where no restore is to forget them. So a persistent
+    /// error history is 1003h in a group of its
     /// own, which the application saves ([`Node::save`](crate::Node::save)) after it has raised an emergency.
     fn group(&self, entry: Entry) -> Option<Group> {
         Group::of(entry)
