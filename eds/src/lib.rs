@@ -5,6 +5,7 @@
 //! Each stage has one verb and never fails: what it cannot make sense of becomes a problem with a position,
 //! and the rules turn problems into diagnostics.
 
+pub mod devices;
 pub mod diagnostic;
 pub mod diff;
 pub mod document;
