@@ -9,15 +9,46 @@
 //!     .silence();
 //! ```
 
-use std::collections::VecDeque;
+use std::{collections::VecDeque, marker::PhantomData};
 
 use lexican_runtime::{Device, Frame, Instant, Node, NodeId};
 
 use crate::line;
 
+/// What a bus is spoken to: a node, or a device around one.
+pub trait Slave<D: Device> {
+    /// Takes a frame from the bus.
+    fn receive(&mut self, now: Instant, frame: &Frame);
+    /// The next frame to send.
+    fn poll(&mut self, now: Instant) -> Option<Frame>;
+    /// When it is to be polled next.
+    fn poll_at(&self) -> Option<Instant>;
+    /// The node in it.
+    fn node(&mut self) -> &mut Node<D>;
+}
+
+impl<D: Device> Slave<D> for Node<D> {
+    fn receive(&mut self, now: Instant, frame: &Frame) {
+        Node::receive(self, now, frame);
+    }
+
+    fn poll(&mut self, now: Instant) -> Option<Frame> {
+        Node::poll(self, now)
+    }
+
+    fn poll_at(&self) -> Option<Instant> {
+        Node::poll_at(self)
+    }
+
+    fn node(&mut self) -> &mut Node<D> {
+        self
+    }
+}
+
 /// A node, a clock, and what the node has sent.
-pub struct Bus<D: Device> {
-    node: Node<D>,
+pub struct Bus<D: Device, S = Node<D>> {
+    slave: S,
+    device: PhantomData<D>,
     now: Instant,
     sent: VecDeque<Frame>,
     /// The dialogue so far, shown when it goes wrong.
@@ -38,12 +69,7 @@ impl<D: Device> Bus<D> {
     /// A bus with `node` on it, which has said nothing yet.
     #[must_use]
     pub fn of(node: Node<D>) -> Self {
-        Self {
-            node,
-            now: Instant::from_millis(1),
-            sent: VecDeque::new(),
-            log: Vec::new(),
-        }
+        Self::with(node)
     }
 
     /// A bus with `device` on it, which has sent its boot-up message.
@@ -57,6 +83,20 @@ impl<D: Device> Bus<D> {
         bus.advance(0).expect(&format!("{:03X}#00", 0x700 + u16::from(node_id)));
         bus
     }
+}
+
+impl<D: Device, S: Slave<D>> Bus<D, S> {
+    /// A bus with `slave` on it, which has said nothing yet.
+    #[must_use]
+    pub fn with(slave: S) -> Self {
+        Self {
+            slave,
+            device: PhantomData,
+            now: Instant::from_millis(1),
+            sent: VecDeque::new(),
+            log: Vec::new(),
+        }
+    }
 
     /// Sends a frame to the node, and takes what it answers at once.
     #[track_caller]
@@ -67,7 +107,7 @@ impl<D: Device> Bus<D> {
     /// As [`Bus::send`], of a frame that is none of text.
     pub fn put(&mut self, frame: Frame) -> &mut Self {
         self.log.push(format!("> {frame:?}"));
-        self.node.receive(self.now, &frame);
+        self.slave.receive(self.now, &frame);
         self.collect();
         self
     }
@@ -106,7 +146,7 @@ impl<D: Device> Bus<D> {
         let end = Instant::from_micros(self.now.as_micros() + millis * 1000);
         self.log.push(format!("+ {millis} ms"));
         self.collect();
-        while let Some(due) = self.node.poll_at().filter(|due| *due <= end) {
+        while let Some(due) = self.slave.poll_at().filter(|due| *due <= end) {
             self.now = due.max(self.now);
             self.collect();
         }
@@ -121,7 +161,12 @@ impl<D: Device> Bus<D> {
 
     /// The node.
     pub fn node(&mut self) -> &mut Node<D> {
-        &mut self.node
+        self.slave.node()
+    }
+
+    /// What is on the bus.
+    pub fn slave(&mut self) -> &mut S {
+        &mut self.slave
     }
 
     /// The time on this bus.
@@ -132,7 +177,7 @@ impl<D: Device> Bus<D> {
 
     /// Takes all that the node has to say now.
     fn collect(&mut self) {
-        while let Some(frame) = self.node.poll(self.now) {
+        while let Some(frame) = self.slave.poll(self.now) {
             self.log.push(format!("< {frame:?}"));
             self.sent.push_back(frame);
         }

@@ -17,7 +17,10 @@
 
 use lexican_runtime::{Address, Device, od};
 
-use crate::{bus::Bus, line};
+use crate::{
+    bus::{Bus, Slave},
+    line,
+};
 
 /// A block of a dialogue file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -53,7 +56,7 @@ pub struct Summary {
 /// # Panics
 /// When the node says something else, or the text is not made of dialogues; the message names the block by its line.
 #[expect(clippy::print_stdout, reason = "a failing test shows which dialogue it was in")]
-pub fn hold<D: Device>(text: &str, mut booted: impl FnMut(u8) -> Bus<D>) -> Summary {
+pub fn hold<D: Device, S: Slave<D>>(text: &str, mut booted: impl FnMut(u8) -> Bus<D, S>) -> Summary {
     let mut summary = Summary::default();
     for dialogue in read(text) {
         if let Some(reason) = &dialogue.later {
@@ -118,7 +121,7 @@ impl Dialogue {
     }
 
     /// Holds the dialogue on `bus`.
-    fn hold<D: Device>(&self, bus: &mut Bus<D>) {
+    fn hold<D: Device, S: Slave<D>>(&self, bus: &mut Bus<D, S>) {
         for step in &self.steps {
             match step {
                 Step::Set(address, data) => {
