@@ -7,6 +7,7 @@ pub mod corpus;
 pub mod dialogue;
 #[cfg(unix)]
 pub mod emulator;
+pub mod encoder;
 pub mod fixture;
 pub mod generated;
 pub mod levels;

@@ -184,6 +184,13 @@ impl<D: Device> Node<D> {
         &mut self.device
     }
 
+    /// The device, for the application to show what it has measured. As [`Node::device_mut`], but no service looks at its
+    /// objects again: what configures one is not to be changed here.
+    #[inline]
+    pub fn application_mut(&mut self) -> &mut D {
+        &mut self.device
+    }
+
     /// Sets how long an SDO client may leave a transfer open, in ms; 1000 unless set.
     pub fn set_sdo_timeout(&mut self, timeout_ms: u32) {
         self.sdo.set_timeout(timeout_ms);

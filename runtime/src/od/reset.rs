@@ -3,15 +3,15 @@
 use core::ops::Range;
 
 use super::{Access, Device, Entry, Reset};
-use crate::NodeId;
+use crate::{storage::Storage, NodeId};
 
 /// Gives every value that an EDS writes as a formula of `$NODEID` its value for `node_id`.
 pub fn resolve_node_id<D: Device>(device: &mut D, node_id: NodeId) {
     restore_all(device, None, node_id);
 }
 
-/// Gives the values that `reset` is about their values after power-on: those that a client or a PDO may write, and the
-/// formulas of `$NODEID`. What only the application writes (a serial number, a position) is the application's to reset.
+/// Gives the values that `reset` is about their values after power-on: those that a client or a PDO may write, that are
+/// stored, and the formulas of `$NODEID`. What only the application writes (a serial number, a position) is the application's to reset.
 pub fn restore<D: Device>(device: &mut D, reset: Reset, node_id: NodeId) {
     restore_all(device, Some(reset), node_id);
 }
@@ -28,10 +28,16 @@ fn restore_all<D: Device>(device: &mut D, reset: Option<Reset>, node_id: NodeId)
         }
         if entry.access.has(Access::NODE_ID) {
             restore_value(device, entry, node_id.get());
-        } else if reset.is_some() && (entry.access.has(Access::WRITE) || entry.access.has(Access::RPDO)) {
+        } else if reset.is_some() && is_set(device, entry) {
             restore_value(device, entry, 0);
         }
     }
+}
+
+/// Whether a client or a PDO may write it, or it comes from the memory.
+fn is_set<D: Device>(device: &mut D, entry: Entry) -> bool {
+    let is_written = entry.access.has(Access::WRITE) || entry.access.has(Access::RPDO);
+    is_written || device.storage().is_some_and(|storage| storage.group(entry).is_some())
 }
 
 /// Copies the default and adds `summand` to it, byte by byte from the lowest on. A sum that wraps does so within the type.

@@ -28,8 +28,27 @@ impl Shaft {
         }
     }
 
+    /// One step, one revolution: the least that a shaft may have.
+    pub const ONE: Self = Self {
+        resolution: 1,
+        revolutions: 1,
+    };
+
+    /// Steps a revolution, 1 or more.
+    #[must_use]
+    pub const fn resolution(self) -> u32 {
+        self.resolution
+    }
+
+    /// Revolutions, 1 or more.
+    #[must_use]
+    pub const fn revolutions(self) -> u64 {
+        self.revolutions
+    }
+
     /// All steps.
-    const fn steps(self) -> u64 {
+    #[must_use]
+    pub const fn steps(self) -> u64 {
         self.revolutions * self.resolution as u64
     }
 
@@ -114,16 +133,32 @@ impl Position {
         } else {
             (shaft.resolution, shaft.steps())
         };
-        Ok(Self {
+        Ok(Self::counting(
             shaft,
-            is_counterclockwise: parameters.is_counterclockwise,
+            parameters.is_counterclockwise,
+            units,
+            range,
+            memory % range,
+        ))
+    }
+
+    /// What the sensor of `shaft` says, before its first reading.
+    #[must_use]
+    pub const fn unscaled(shaft: Shaft) -> Self {
+        Self::counting(shaft, false, shaft.resolution, shaft.steps(), 0)
+    }
+
+    const fn counting(shaft: Shaft, is_counterclockwise: bool, units: u32, range: u64, base: u64) -> Self {
+        Self {
+            shaft,
+            is_counterclockwise,
             units,
             range,
             rest: multiply(shaft.revolutions, units as u64, range),
-            base: memory % range,
+            base,
             offset: 0,
             step: None,
-        })
+        }
     }
 
     /// How many steps there are: positions are below it.
