@@ -12,13 +12,13 @@ pub mod fixture;
 pub mod generated;
 pub mod levels;
 pub mod line;
-pub mod memory;
 pub mod network;
 pub mod python;
 pub mod sample;
 pub mod sdo_client;
-pub mod simulated;
 pub mod traffic;
+
+pub use lexican_bus::simulated::{self, memory};
 
 /// The first page: its examples run as tests, the build script with the others of this package.
 #[cfg(doctest)]

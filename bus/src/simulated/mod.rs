@@ -1,8 +1,19 @@
-//! A device that is put together while the test runs: slow, and about any dictionary.
+//! Devices that are put together at run time: of an EDS file, or object by object.
+//!
+//! A simulated device is the firmware's [`Node`](lexican_runtime::Node) with its SDO servers, PDOs, NMT, LSS and the rest, over
+//! a dictionary that is laid out here instead of by the compiler. It has no application: its values change when they are
+//! written, and keep still otherwise.
+
+pub mod memory;
+mod network;
+mod object;
+mod seeds;
+
+use std::collections::HashSet;
 
 use lexican_eds::ir;
 use lexican_runtime::heartbeat::Watch;
-use lexican_runtime::od::{Access, DataType, Device, Entry, Extra, Table, Value, bucket_of, place_of};
+use lexican_runtime::od::{Access, DataType, Device, Entry, Extra, Table, Value};
 use lexican_runtime::pdo::{Mapped, Parts, Room, Rpdo, Tpdo};
 use lexican_runtime::sdo::Channel;
 use lexican_runtime::{
@@ -10,101 +21,9 @@ use lexican_runtime::{
     lss::{BitRate, BitRates},
 };
 
-use crate::memory::Memory;
-
-/// A value that a simulated device is to have.
-#[derive(Clone, Debug)]
-pub struct Object {
-    /// Index and sub-index.
-    pub address: Address,
-    /// The data type.
-    pub data_type: DataType,
-    /// [`Access::READ`], [`Access::WRITE`], [`Access::NODE_ID`] and whether it may be mapped.
-    pub access: Access,
-    /// The value after power-on, as on the bus.
-    pub default: Vec<u8>,
-    /// Low and high limit, as on the bus.
-    pub limits: Option<(Vec<u8>, Vec<u8>)>,
-    /// How many bytes a string may have; the longer of this and the default counts.
-    pub capacity: usize,
-}
-
-impl Object {
-    /// A number of 1, 2, 4 or 8 bytes without limits, unsigned, which a client may read and write.
-    ///
-    /// # Panics
-    /// When it has another length.
-    #[must_use]
-    pub fn number(index: u16, sub: u8, length: usize, default: u64) -> Self {
-        let data_type = match length {
-            1 => DataType::UNSIGNED8,
-            2 => DataType::UNSIGNED16,
-            4 => DataType::UNSIGNED32,
-            8 => DataType::UNSIGNED64,
-            _ => panic!("no number has {length} bytes"),
-        };
-        Self {
-            address: Address::new(index, sub),
-            data_type,
-            access: Access::READ.with(Access::WRITE),
-            default: default.to_le_bytes()[..length].to_vec(),
-            limits: None,
-            capacity: 0,
-        }
-    }
-
-    /// The same with `access` added.
-    #[must_use]
-    pub fn with(mut self, access: Access) -> Self {
-        self.access = self.access.with(access);
-        self
-    }
-}
-
-/// How many bytes a string of an EDS may have at least; an EDS does not say.
-const CAPACITY: usize = 64;
-
-impl From<&ir::Entry> for Object {
-    fn from(entry: &ir::Entry) -> Self {
-        let bytes = |value: &ir::Value| value.to_bytes(entry.data_type, None);
-        let length = entry.data_type.bytes().unwrap_or(0);
-        let counted = entry.address.index == 0x1003 && entry.address.sub != 0;
-        let formula = matches!(entry.default, Some(ir::Value::NodeIdPlus(_)));
-        Self {
-            address: Address::new(entry.address.index, entry.address.sub),
-            data_type: DataType(u8::try_from(entry.data_type.index()).expect("a static type")),
-            access: access(entry.access)
-                .with(if formula { Access::NODE_ID } else { Access(0) })
-                .with(if counted { Access::COUNTED } else { Access(0) })
-                .with(mappable(entry)),
-            default: entry.default.as_ref().map_or_else(|| vec![0; length], bytes),
-            limits: entry
-                .low
-                .as_ref()
-                .zip(entry.high.as_ref())
-                .map(|(low, high)| (bytes(low), bytes(high))),
-            capacity: if length == 0 { CAPACITY } else { 0 },
-        }
-    }
-}
-
-fn access(access: ir::AccessType) -> Access {
-    match (access.readable(), access.writable()) {
-        (true, true) => Access::READ.with(Access::WRITE),
-        (false, _) => Access::WRITE,
-        (true, false) => Access::READ,
-    }
-}
-
-/// Into which PDOs it may be mapped (CiA 306-1, AccessType).
-fn mappable(entry: &ir::Entry) -> Access {
-    match entry.access {
-        _ if !entry.pdo_mapping => Access(0),
-        ir::AccessType::Rw => Access::TPDO.with(Access::RPDO),
-        ir::AccessType::Wo | ir::AccessType::Rww => Access::RPDO,
-        _ => Access::TPDO,
-    }
-}
+pub use memory::Memory;
+pub use network::Network;
+pub use object::Object;
 
 /// Room for the PDOs of a simulated device.
 #[derive(Clone, Debug)]
@@ -124,6 +43,12 @@ impl Room for SimulatedPdos {
     }
 }
 
+/// How many events are kept at most.
+const TOLD: usize = 4096;
+
+/// How many bytes the values of a dictionary have at most, and its limits: their offsets have 16 bits.
+const ROOM: usize = 0xFFFF;
+
 /// A device without an application.
 #[derive(Clone, Debug)]
 pub struct Simulated {
@@ -138,6 +63,7 @@ pub struct Simulated {
     bit_rates: BitRates,
     memory: Option<Memory>,
     told: Vec<Event>,
+    left_out: Vec<Address>,
 }
 
 impl Simulated {
@@ -156,14 +82,30 @@ impl Simulated {
             bit_rates: BitRates::ALL,
             memory: None,
             told: Vec::new(),
+            left_out: Vec::new(),
         };
-        let entries: Vec<Entry> = objects.iter().map(|object| device.lay_out(object)).collect();
-        device.place(&entries);
+        let mut known = HashSet::new();
+        let mut entries = Vec::with_capacity(objects.len());
+        for object in objects {
+            if known.insert(object.address) && device.has_room(object) {
+                entries.push(device.lay_out(object));
+            } else {
+                device.left_out.push(object.address);
+            }
+        }
+        (device.places, device.seeds) = seeds::place(&entries);
         device.values.clone_from(&device.defaults);
         device
     }
 
-    /// What its application was told, the oldest first.
+    /// The objects that it does not have though they were asked for: an address for the second time, and what is beyond the
+    /// 64 KiB of a dictionary.
+    #[must_use]
+    pub fn left_out(&self) -> &[Address] {
+        &self.left_out
+    }
+
+    /// What its application was told, the oldest first; of very much only the newest.
     #[must_use]
     pub fn told(&self) -> &[Event] {
         &self.told
@@ -204,6 +146,16 @@ impl Simulated {
         self
     }
 
+    /// Whether its value, its limits and its extra fit.
+    fn has_room(&self, object: &Object) -> bool {
+        let length = object
+            .data_type
+            .width()
+            .max(2 + object.capacity.max(object.default.len()));
+        let limits = 2 * object.data_type.width();
+        self.defaults.len() + length <= ROOM && self.constants.len() + limits <= ROOM && self.extras.len() < ROOM
+    }
+
     /// Gives the object room among the values, and its extras.
     fn lay_out(&mut self, object: &Object) -> Entry {
         let slot = self.defaults.len();
@@ -231,48 +183,10 @@ impl Simulated {
         let capacity = object.capacity.max(length);
         self.longest = self.longest.max(capacity);
         self.defaults
-            .extend(u16::try_from(length).expect("64 KiB").to_le_bytes());
+            .extend(u16::try_from(length).unwrap_or(u16::MAX).to_le_bytes());
         self.defaults.extend(&object.default);
         self.defaults.resize(self.defaults.len() + capacity - length, 0);
         capacity
-    }
-
-    /// Finds the seeds of a perfect hash: for the fullest bucket first the least seed that puts all its entries on free
-    /// places.
-    fn place(&mut self, entries: &[Entry]) {
-        let places = entries.len() + entries.len() / 32 + 1;
-        self.places = vec![Entry::EMPTY; places];
-        self.seeds = vec![0; entries.len() / 3 + 1];
-        let mut buckets: Vec<Vec<Entry>> = vec![Vec::new(); self.seeds.len()];
-        for entry in entries {
-            buckets[bucket_of(entry.address(), self.seeds.len())].push(*entry);
-        }
-        let mut order: Vec<usize> = (0..buckets.len()).collect();
-        order.sort_by_key(|&bucket| std::cmp::Reverse(buckets[bucket].len()));
-        for bucket in order {
-            let seed = (0..=u16::MAX).find(|&seed| self.try_seed(bucket, &buckets[bucket], seed));
-            assert!(seed.is_some(), "no seed for a bucket of {}", buckets[bucket].len());
-        }
-    }
-
-    /// Puts the entries of a bucket on their places, if `seed` gives them free ones.
-    fn try_seed(&mut self, bucket: usize, entries: &[Entry], seed: u16) -> bool {
-        self.seeds[bucket] = seed;
-        let places = self.places.len();
-        let mut wanted: Vec<usize> = entries
-            .iter()
-            .map(|entry| place_of(entry.address(), &self.seeds, places))
-            .collect();
-        let free = wanted.iter().all(|&place| self.places[place] == Entry::EMPTY);
-        wanted.sort_unstable();
-        if !free || wanted.windows(2).any(|pair| pair[0] == pair[1]) {
-            return false;
-        }
-        for entry in entries {
-            let place = place_of(entry.address(), &self.seeds, places);
-            self.places[place] = *entry;
-        }
-        true
     }
 }
 
@@ -375,6 +289,9 @@ impl Device for Simulated {
     }
 
     fn event(&mut self, event: Event) {
+        if self.told.len() == TOLD {
+            self.told.drain(..TOLD / 2);
+        }
         self.told.push(event);
     }
 
