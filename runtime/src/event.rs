@@ -3,6 +3,7 @@
 use crate::{
     lss::BitRate,
     od::{Reset, TimeOfDay},
+    storage::Group,
     wire::nmt::NmtState,
     Address, NodeId,
 };
@@ -33,6 +34,10 @@ pub enum Event {
     /// The stored value of this object does not fit the dictionary any more, and is not loaded: the object is not there or not
     /// stored, or its length or limits are others.
     Dropped(Address),
+    /// A client has saved the parameters of this group (1010h).
+    Saved(Group),
+    /// A client has restored the default parameters of this group (1011h): they count after the next reset.
+    Restored(Group),
     /// The CAN controller is to have this bit rate from now on: LSS was told to activate it. The node is silent for the
     /// switch delay that follows.
     BitRate(BitRate),

@@ -311,6 +311,44 @@ fn the_application_configures_node_id_and_bit_rate_as_lss_does() {
 }
 
 #[test]
+fn what_the_application_prepares_for_lss_is_stored_later_and_forgotten_by_a_reset_until_then() {
+    let memory = Memory::eeprom(4096);
+    let mut bus = switched_on(&memory);
+    let node_id = NodeId::new(5).expect("a node-ID");
+    bus.node().prepare_lss(node_id, Some(BitRate::KBIT_250));
+    bus.send("000#8101").expect("701#00");
+    bus.node().prepare_lss(node_id, Some(BitRate::KBIT_250));
+    bus.send("000#8201").expect("705#00");
+    assert_eq!(bus.node().bit_rate(), None, "that has not switched");
+    bus.node().adopt_bit_rate();
+    bus.node().adopt_bit_rate();
+    assert_eq!(bus.node().bit_rate(), Some(BitRate::KBIT_250));
+    let told = bus.node().device().told().iter();
+    assert_eq!(told.filter(|event| matches!(event, Event::BitRate(_))).count(), 1);
+    switched_on(&memory);
+    bus.node().store_lss().expect("a memory that works");
+    let mut bus = Bus::new(Simulated::new(&objects()).with_memory(&memory), 1);
+    bus.advance(0).expect("705#00");
+}
+
+#[test]
+fn the_application_is_told_what_a_client_has_saved_and_restored() {
+    let memory = Memory::eeprom(4096);
+    let mut bus = switched_on(&memory);
+    saved(&mut bus, 3);
+    restored(&mut bus, 1);
+    memory.fail_after(0);
+    bus.send(SAVE_ALL).expect("581#8010100100000606");
+    let told = bus.node().device().told();
+    let told: Vec<Event> = told
+        .iter()
+        .copied()
+        .filter(|event| !matches!(event, Event::State(_)))
+        .collect();
+    assert_eq!(told, [Event::Saved(Group::APPLICATION), Event::Restored(Group::ALL)]);
+}
+
+#[test]
 fn a_failing_memory_is_a_hardware_error_and_keeps_what_was_stored() {
     let memory = Memory::flash(256);
     saved(&mut changed(&memory), 1);

@@ -132,6 +132,12 @@ impl Slave {
         self.pending_bit_rate = bit_rate;
     }
 
+    /// The bit rate that was configured becomes the active one; gives it, if it is another one.
+    pub(crate) fn adopt_bit_rate(&mut self) -> Option<BitRate> {
+        let before = core::mem::replace(&mut self.bit_rate, self.pending_bit_rate);
+        self.bit_rate.filter(|_| self.bit_rate != before)
+    }
+
     /// What was pending is stored.
     pub(crate) fn stored(&mut self) {
         self.persistent = self.pending;

@@ -58,11 +58,34 @@ impl<D: Device> Node<D> {
     /// # Errors
     /// As [`Node::save`]; they are configured all the same, and lost with the next reset.
     pub fn configure_lss(&mut self, node_id: NodeId, bit_rate: Option<BitRate>) -> Result<(), AbortCode> {
+        self.prepare_lss(node_id, bit_rate);
+        self.store_lss()
+    }
+
+    /// As [`Node::configure_lss`], but stores nothing: that is [`Node::store_lss`], for a device that does so when a client
+    /// saves its parameters. Until then a node-ID counts from the next reset of communication on, and a reset of the node
+    /// forgets it.
+    pub fn prepare_lss(&mut self, node_id: NodeId, bit_rate: Option<BitRate>) {
         self.lss.configure_both(node_id, bit_rate);
+    }
+
+    /// Stores what was configured last, as an LSS master does by "store configuration".
+    ///
+    /// # Errors
+    /// As [`Node::save`].
+    pub fn store_lss(&mut self) -> Result<(), AbortCode> {
         match self.store_settings() {
             DONE => Ok(()),
             NOT_SUPPORTED => Err(AbortCode::NOT_STORED),
             _ => Err(AbortCode::HARDWARE_ERROR),
+        }
+    }
+
+    /// Gives the CAN controller the bit rate that was configured last, without switch delays: for a device whose bit rate
+    /// changes with a reset. [`Event::BitRate`] tells it, if it is another one.
+    pub fn adopt_bit_rate(&mut self) {
+        if let Some(bit_rate) = self.lss.adopt_bit_rate() {
+            self.device.event(Event::BitRate(bit_rate));
         }
     }
 

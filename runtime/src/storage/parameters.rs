@@ -3,7 +3,7 @@
 use super::{capabilities, change, change::group_of, Change, Group};
 use crate::{
     od::{self, Access, Device, Entry, ServiceSet},
-    AbortCode, Address,
+    AbortCode, Address, Event,
 };
 
 /// 1010h: store parameters, an ARRAY of UNSIGNED32, its sub-indices the groups.
@@ -37,7 +37,12 @@ pub(crate) fn before_write<D: Device>(device: &mut D, address: Address, number: 
     if number != signature || capabilities(device) == 0 {
         return Err(AbortCode::NOT_STORED);
     }
-    change(device, what).map_err(|_| AbortCode::HARDWARE_ERROR)
+    change(device, what).map_err(|_| AbortCode::HARDWARE_ERROR)?;
+    device.event(match what {
+        Change::Forget(group) => Event::Restored(group),
+        _ => Event::Saved(Group(address.sub)),
+    });
+    Ok(())
 }
 
 /// What a write that was let through brings about: 1010h and 1011h read their capabilities again, and a changed configuration

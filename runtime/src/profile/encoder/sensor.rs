@@ -43,6 +43,8 @@ impl Faults {
     pub const BATTERY: Self = Self(0x10);
     /// The temperature cannot be read, though there is a sensor for it.
     pub const TEMPERATURE: Self = Self(0x20);
+    /// The shaft turns faster than the sensor can follow: the speed is not valid.
+    pub const SPEED: Self = Self(0x40);
 
     /// These and `other`.
     #[must_use]
