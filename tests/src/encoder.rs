@@ -47,6 +47,15 @@ impl Hand {
         state.step = u64::try_from(step).expect("a place on the circle");
     }
 
+    /// Turns the shaft to so many steps from the beginning, or with a negative number from the end.
+    ///
+    /// # Panics
+    /// Never, as [`Hand::turn`].
+    pub fn put(&self, steps: i64) {
+        self.state().step = 0;
+        self.turn(steps);
+    }
+
     /// Lets the temperature be this; `None` when it cannot be read.
     pub fn warm(&self, temperature: Option<i16>) {
         self.state().temperature = temperature;
