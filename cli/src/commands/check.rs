@@ -125,7 +125,7 @@ impl Check {
 fn check(input: &Input, settings: &Settings, style: Style) -> Result<Rendered, Failure> {
     let reading = lexican_eds::read(input.name(), input.read()?);
     let found = settings.check(&reading);
-    Ok(style.render(reading.document.source(), found))
+    Ok(style.render(&reading.document, found))
 }
 
 /// `3 findings`

@@ -30,7 +30,7 @@ pub(super) fn file(input: &Input, settings: &Settings, style: Style) -> Result<R
         output::rewrite(path, &document.to_bytes())?;
     }
     let fixed = mended.fixed.values().sum();
-    Ok(style.render(document.source(), mended.remaining).with_fixed(fixed))
+    Ok(style.render(document, mended.remaining).with_fixed(fixed))
 }
 
 /// Cures standard input: the file goes to standard output, what is left in it to standard error.

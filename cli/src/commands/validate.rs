@@ -55,7 +55,7 @@ impl Validate {
         let style = self.shown.style();
         let mut printer = Printer::new(style, Subject::Device)?;
         let found = rules::validate(&reading, &dump, &settings.levels);
-        printer.file(style.render(reading.document.source(), found))?;
+        printer.file(style.render(&reading.document, found))?;
         printer.finish()
     }
 

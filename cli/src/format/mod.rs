@@ -17,6 +17,7 @@ use std::collections::BTreeSet;
 use clap::ValueEnum;
 use lexican_eds::{
     diagnostic::{Code, Diagnostic},
+    document::Document,
     source::Source,
 };
 
@@ -52,6 +53,7 @@ pub(crate) enum Subject {
 
 /// A file, and of what is wrong with it that which is to be shown.
 struct Checked<'a> {
+    document: &'a Document,
     source: &'a Source,
     findings: &'a [Diagnostic],
 }

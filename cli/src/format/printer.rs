@@ -4,7 +4,7 @@ use std::{collections::BTreeSet, io::Write as _};
 
 use lexican_eds::{
     diagnostic::{Code, Diagnostic, Level},
-    source::Source,
+    document::Document,
 };
 
 use super::{Checked, Counts, Format, Run, Subject};
@@ -39,12 +39,13 @@ pub(crate) struct Rendered {
 
 impl Style {
     /// What there is to say of one file.
-    pub(crate) fn render(self, source: &Source, found: Vec<Diagnostic>) -> Rendered {
+    pub(crate) fn render(self, document: &Document, found: Vec<Diagnostic>) -> Rendered {
         let total = found.len();
         let shown = found.into_iter().filter(|finding| finding.level >= self.min_level);
         let findings: Vec<Diagnostic> = shown.collect();
         let checked = Checked {
-            source,
+            document,
+            source: document.source(),
             findings: &findings,
         };
         Rendered {

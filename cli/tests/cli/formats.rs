@@ -53,7 +53,7 @@ fn sarif_errors(log: &Value) -> Vec<String> {
     options.build(&schema).unwrap().iter_errors(log).map(errors).collect()
 }
 
-fn valid_sarif(text: &str) -> Value {
+pub(crate) fn valid_sarif(text: &str) -> Value {
     let log = serde_json::from_str(text).unwrap();
     assert_eq!(sarif_errors(&log), [""; 0]);
     log

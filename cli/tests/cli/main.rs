@@ -14,5 +14,6 @@ mod generate;
 mod help;
 mod lexican;
 mod new;
+mod sarif_fixes;
 mod shell;
 mod validate;

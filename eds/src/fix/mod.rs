@@ -11,8 +11,10 @@
 mod lists;
 mod mend;
 mod plan;
+mod replacement;
 
 pub use mend::{Mended, mend};
+pub use replacement::Replacement;
 
 use crate::{
     document::{Keyword, SectionName},

@@ -34,7 +34,7 @@ impl From<Place> for Region {
 const ESCAPED: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'.').remove(b'_').remove(b'~');
 
 /// A relative reference for a relative path: a service looks for it from the root of the repository.
-fn uri(path: &Path) -> String {
+pub(super) fn uri(path: &Path) -> String {
     let mut uri = String::new();
     for component in path.components() {
         match component {

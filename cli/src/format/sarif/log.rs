@@ -78,7 +78,49 @@ pub(super) struct SarifResult<'a> {
     pub(super) locations: [Location<'a>; 1],
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) related_locations: Vec<RelatedLocation<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) fixes: Vec<SarifFix>,
     pub(super) partial_fingerprints: PartialFingerprints,
+}
+
+/// A cure.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct SarifFix {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) description: Option<Message>,
+    pub(super) artifact_changes: [ArtifactChange; 1],
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct ArtifactChange {
+    pub(super) artifact_location: ArtifactLocation,
+    pub(super) replacements: Vec<Replacement>,
+}
+
+/// Nothing is inserted where text only goes.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Replacement {
+    pub(super) deleted_region: DeletedRegion,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) inserted_content: Option<ArtifactContent>,
+}
+
+/// A region of any number of lines; an empty one is a place to insert at (3.30.2).
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct DeletedRegion {
+    pub(super) start_line: u32,
+    pub(super) start_column: u32,
+    pub(super) end_line: u32,
+    pub(super) end_column: u32,
+}
+
+#[derive(Serialize)]
+pub(super) struct ArtifactContent {
+    pub(super) text: String,
 }
 
 #[derive(Serialize)]

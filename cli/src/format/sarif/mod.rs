@@ -4,6 +4,7 @@
 //! end of the run knows which of them found something.
 
 mod fingerprint;
+mod fix;
 mod location;
 mod log;
 mod rule;
@@ -70,6 +71,10 @@ fn result<'a>(checked: &'a Checked, finding: &'a Diagnostic, fingerprint: String
         location: location::of(source, Some(related.span), None),
         message: Message::literal(&related.label),
     });
+    let fixes = finding
+        .fix
+        .iter()
+        .filter_map(|cure| fix::of(checked.document, finding, cure));
     let place = (!finding.about_file()).then_some(finding.span);
     SarifResult {
         rule_id: finding.code.as_str(),
@@ -77,6 +82,7 @@ fn result<'a>(checked: &'a Checked, finding: &'a Diagnostic, fingerprint: String
         message: Message::literal(&sentence(finding)),
         locations: [location::of(source, place, section)],
         related_locations: related.collect(),
+        fixes: fixes.collect(),
         partial_fingerprints: fingerprint.into(),
     }
 }

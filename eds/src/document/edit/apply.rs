@@ -1,17 +1,33 @@
 //! The changed text as bytes.
 
 use super::{Change, Document, Edit, EditError};
+use crate::fix::Replacement;
 use crate::source::{BYTE_ORDER_MARK, Encoding, LineEnd, Source};
 use crate::span::Span;
 
 impl Edit<'_> {
+    /// The changes, in the order of the file.
+    pub(crate) fn replacements(mut self) -> Vec<Replacement> {
+        self.sort();
+        let changes = self.changes.into_iter();
+        let replacements = changes.map(|change| Replacement {
+            at: change.old,
+            text: change.new,
+        });
+        replacements.collect()
+    }
+
+    fn sort(&mut self) {
+        self.changes
+            .sort_by_key(|change| (change.line, change.old.start, change.adds_lines));
+    }
+
     /// The document with all changes made.
     ///
     /// # Errors
     /// When two changes are of the same text, or a line's encoding cannot hold its new text.
     pub fn apply(mut self) -> Result<Document, EditError> {
-        self.changes
-            .sort_by_key(|change| (change.line, change.old.start, change.adds_lines));
+        self.sort();
         let source = self.document.source();
         let mut written = Written::new(source, self.byte_order_mark);
         let mut changes = self.changes.as_slice();
