@@ -2,12 +2,14 @@
 //!
 //! | module | does |
 //! |---|---|
+//! | [`decode`] | says in the dictionary's words what a frame is |
 //! | [`log`] | reads logs of a bus, and writes them |
 //! | [`simulated`] | devices made of an EDS file at run time |
 //! | [`transport`] | carries frames: one way to a bus a file, chosen by a URL |
 //!
 //! What speaks a protocol is sans-IO: it is handed frames and the time, and says what to send and until when to wait.
 
+pub mod decode;
 pub mod log;
 pub mod simulated;
 pub mod transport;

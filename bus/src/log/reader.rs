@@ -1,6 +1,6 @@
 //! From text to frames.
 
-use std::io::{self, BufRead, ErrorKind, Read};
+use std::io::{self, BufRead, BufReader, ErrorKind, Read};
 
 use lexican_runtime::Instant;
 
@@ -139,6 +139,13 @@ impl<R: BufRead> Reader<R> {
             }
         }
         None
+    }
+}
+
+impl<T: Read> Reader<BufReader<T>> {
+    /// Whether the next line is in memory, so that reading it does not wait.
+    pub fn has_next_line(&self) -> bool {
+        self.text.buffer().contains(&b'\n')
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod check;
 mod completions;
+mod decode;
 mod diff;
 mod differences;
 mod explain;
@@ -10,6 +11,7 @@ mod format;
 mod generate;
 mod man;
 mod new;
+mod nodes;
 mod settings;
 mod shown;
 mod validate;
@@ -21,6 +23,7 @@ use crate::{Verdict, failure::Failure};
 #[derive(Subcommand)]
 pub(crate) enum Command {
     Check(check::Check),
+    Decode(decode::Decode),
     Diff(diff::Diff),
     Explain(explain::Explain),
     Format(format::Format),
@@ -40,6 +43,7 @@ impl Command {
     pub(crate) fn run(self) -> Result<Verdict, Failure> {
         match self {
             Self::Check(check) => check.run(),
+            Self::Decode(decode) => decode.run(),
             Self::Diff(diff) => diff.run(),
             Self::Explain(explain) => explain.run(),
             Self::Format(format) => format.run(),

@@ -5,6 +5,7 @@
 mod check;
 mod ci;
 mod config;
+mod decode;
 mod diff;
 mod explain;
 mod fix;
