@@ -90,7 +90,7 @@ fn the_levels_of_a_rule_come_from_the_caller_and_are_changed_by_the_builder() {
 fn a_dictionary_beyond_the_reach_of_its_table_is_refused() {
     let error = wdga().capacity(0x1009, u16::MAX).generate().unwrap_err();
     assert!(matches!(error, Error::TooLarge { values: 65_537.., .. }), "{error}");
-    insta::assert_snapshot!(error, @"wdga.eds is too large: 66096 bytes of values and 86 of constants, while a table reaches 65536 of each; give strings less room with `capacity`");
+    insta::assert_snapshot!(error, @"wdga.eds is too large: 66104 bytes of values and 86 of constants, while a table reaches 65536 of each; give strings less room with `capacity`");
 }
 
 #[test]

@@ -9,28 +9,34 @@ pub mod cia406_multi {
     use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
         Access, DataType, Extra, NumberSet, Row, ServiceSet, Table, Value, place,
+        resized, written,
     };
-    /// The values of the dictionary, the widest first, so that nothing stands between them.
+    /// The values of the dictionary: first those that are not 0 after power-on, and of both kinds the widest first.
     #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
     #[bytemuck(crate = "::lexican_runtime::bytemuck")]
     #[repr(C)]
     pub struct Dictionary {
-        /// 1002h `Manufacturer status register`, `UNSIGNED32`, ro, default `0x0000_0000`
-        pub manufacturer_status_register: u32,
-        /// 1003sub1 `Predefined error field`, `UNSIGNED32`, ro, default `0x0000_0000`
-        pub predefined_error_field: [u32; 1],
         /// 1005h `COB-ID SYNC message`, `UNSIGNED32`, rw, default `0x0000_0080`
         pub cob_id_sync_message: u32,
         /// 1010sub1 `Store parameters`, `UNSIGNED32`, rw, default `0x0000_0001`
         pub store_parameters: [u32; 1],
         /// 1014h `COB-ID emergency message`, `UNSIGNED32`, rw, default `$NODEID+0x80`
         pub cob_id_emergency_message: u32,
-        /// 1018sub4 `Identity`, `Serial number`, `UNSIGNED32`, ro, default `0x0000_0000`
-        pub identity_serial_number: u32,
         /// 1800sub1 `TPDO 1 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x180`
         pub tpdo_1_communication_cob_id: u32,
         /// 1801sub1 `TPDO 2 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x280`
         pub tpdo_2_communication_cob_id: u32,
+        /// 1800sub2 `TPDO 1 communication`, `Transmission type`, `UNSIGNED8`, rw, default `254`
+        pub tpdo_1_communication_transmission_type: u8,
+        /// 1801sub2 `TPDO 2 communication`, `Transmission type`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_2_communication_transmission_type: u8,
+        _gap: [u8; 2],
+        /// 1002h `Manufacturer status register`, `UNSIGNED32`, ro, default `0x0000_0000`
+        pub manufacturer_status_register: u32,
+        /// 1003sub1 `Predefined error field`, `UNSIGNED32`, ro, default `0x0000_0000`
+        pub predefined_error_field: [u32; 1],
+        /// 1018sub4 `Identity`, `Serial number`, `UNSIGNED32`, ro, default `0x0000_0000`
+        pub identity_serial_number: u32,
         /// 6001h `Measuring units per revolution`, `UNSIGNED32`, rw
         pub measuring_units_per_revolution: u32,
         /// 6002h `Total measuring range`, `UNSIGNED32`, rw
@@ -143,10 +149,6 @@ pub mod cia406_multi {
         pub predefined_error_field_number_of_errors: u8,
         /// 100Dh `Life time factor`, `UNSIGNED8`, rw, default `0`
         pub life_time_factor: u8,
-        /// 1800sub2 `TPDO 1 communication`, `Transmission type`, `UNSIGNED8`, rw, default `254`
-        pub tpdo_1_communication_transmission_type: u8,
-        /// 1801sub2 `TPDO 2 communication`, `Transmission type`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_2_communication_transmission_type: u8,
         /// 6300sub1 to 6300subFE `Cam state register`, `UNSIGNED8`, ro, PDO-mappable
         pub cam_state_register: [u8; 254],
         /// 6301sub1 to 6301subFE `Cam enable register`, `UNSIGNED8`, rwr, default `0`, PDO-mappable
@@ -155,7 +157,7 @@ pub mod cia406_multi {
         pub cam_polarity_register: [u8; 254],
         /// 6400sub1 to 6400subFE `Area state register`, `UNSIGNED8`, ro, PDO-mappable
         pub area_state_register: [u8; 254],
-        _padding: [u8; 3],
+        _padding: [u8; 1],
     }
     impl Dictionary {
         /// 1000h `Device type`, `UNSIGNED32`, ro
@@ -260,14 +262,17 @@ pub mod cia406_multi {
         pub const MODULE_IDENTIFICATION_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 3;
         /// The values after power-on, with 0 for `$NODEID`.
         pub const DEFAULTS: Self = Self {
-            manufacturer_status_register: 0x0000_0000,
-            predefined_error_field: [0x0000_0000],
             cob_id_sync_message: 0x0000_0080,
             store_parameters: [0x0000_0001],
             cob_id_emergency_message: 0x0000_0080,
-            identity_serial_number: 0x0000_0000,
             tpdo_1_communication_cob_id: 0x0000_0180,
             tpdo_2_communication_cob_id: 0x0000_0280,
+            tpdo_1_communication_transmission_type: 254,
+            tpdo_2_communication_transmission_type: 1,
+            _gap: [0; 2],
+            manufacturer_status_register: 0x0000_0000,
+            predefined_error_field: [0x0000_0000],
+            identity_serial_number: 0x0000_0000,
             measuring_units_per_revolution: 0,
             total_measuring_range: 0,
             linear_encoder_measuring_steps_position_measuring_step: 0,
@@ -322,13 +327,11 @@ pub mod cia406_multi {
             error_register: 0,
             predefined_error_field_number_of_errors: 0,
             life_time_factor: 0,
-            tpdo_1_communication_transmission_type: 254,
-            tpdo_2_communication_transmission_type: 1,
             cam_state_register: [0; 254],
             cam_enable_register: [0; 254],
             cam_polarity_register: [0; 254],
             area_state_register: [0; 254],
-            _padding: [0; 3],
+            _padding: [0; 1],
         };
         /// The values after power-on of the node `node_id`.
         #[must_use]
@@ -371,7 +374,7 @@ pub mod cia406_multi {
         #[must_use]
         pub const fn with_storage(handlers: H, storage: S) -> Self {
             Self {
-                od: Dictionary::DEFAULTS,
+                od: bytemuck::must_cast(resized::<SIZE>(POWER_ON)),
                 handlers,
                 storage,
             }
@@ -400,7 +403,7 @@ pub mod cia406_multi {
         }
         #[inline]
         fn defaults(&self) -> &[u8] {
-            bytemuck::bytes_of(&Dictionary::DEFAULTS)
+            POWER_ON
         }
         #[inline]
         fn buffer(&self) -> Self::Buffer {
@@ -433,6 +436,13 @@ pub mod cia406_multi {
             Ok(())
         }
     }
+    /// Bytes of the values.
+    const SIZE: usize = core::mem::size_of::<Dictionary>();
+    /// The values after power-on, up to the last byte that is not 0.
+    const POWER_ON: &[u8] = {
+        const ALL: [u8; SIZE] = bytemuck::must_cast(Dictionary::DEFAULTS);
+        &resized::<{ written(&ALL) }>(&ALL)
+    };
 
     const TABLE: Table<'static> = Table {
         entries: &place::<8822>(&ROWS, &SEEDS),

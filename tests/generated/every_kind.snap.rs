@@ -9,9 +9,9 @@ pub mod every_kind {
     use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
         Access, Boolean, DataType, Extra, NumberSet, OctetString, Part, Row, ServiceSet,
-        Table, TimeOfDay, Value, VisibleString, place, set_element,
+        Table, TimeOfDay, Value, VisibleString, place, resized, set_element, written,
     };
-    /// The values of the dictionary, the widest first, so that nothing stands between them.
+    /// The values of the dictionary: first those that are not 0 after power-on, and of both kinds the widest first.
     #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
     #[bytemuck(crate = "::lexican_runtime::bytemuck")]
     #[repr(C)]
@@ -34,12 +34,8 @@ pub mod every_kind {
         pub value_unsigned64: u64,
         /// 2012h `Value REAL64`, `REAL64`, rw, default `2.718_281_828_459_045`
         pub value_real64: f64,
-        /// 2202h `Limited INTEGER40`, `INTEGER40`, rw, `-1000` to `549_755_813_887`, default `0`
-        pub limited_integer40: i64,
         /// 2203h `Limited UNSIGNED40`, `UNSIGNED40`, rw, `4_294_967_296` to `1_095_216_660_480`, default `4_294_967_296`
         pub limited_unsigned40: u64,
-        /// 2205h `Limited REAL64`, `REAL64`, rw, at least `-1.0e300`, default `0.0`
-        pub limited_real64: f64,
         /// 2404h `Formula UNSIGNED64`, `UNSIGNED64`, rw, default `$NODEID+0x100000000`
         pub formula_unsigned64: u64,
         /// 1005h `COB-ID SYNC`, `UNSIGNED32`, rw, default `0x0000_0080`
@@ -48,8 +44,6 @@ pub mod every_kind {
         pub store_parameters: [u32; 1],
         /// 1014h `COB-ID EMCY`, `UNSIGNED32`, rw, default `$NODEID+0x80`
         pub cob_id_emcy: u32,
-        /// 1018sub4 `Identity object`, `Serial number`, `UNSIGNED32`, const, default `0x0000_0000`
-        pub identity_object_serial_number: u32,
         /// 1800sub1 `TPDO communication parameter`, `COB-ID used by TPDO`, `UNSIGNED32`, rw, default `$NODEID+0x180`
         pub tpdo_communication_parameter_1800_cob_id_used_by_tpdo: u32,
         /// 1801sub1 `TPDO communication parameter`, `COB-ID used by TPDO`, `UNSIGNED32`, rw, default `$NODEID+0x280`
@@ -70,8 +64,6 @@ pub mod every_kind {
         pub value_unsigned24: u32,
         /// 2011h `Value REAL32`, `REAL32`, rw, default `3.14`, PDO-mappable
         pub value_real32: f32,
-        /// 2201h `Limited INTEGER24`, `INTEGER24`, rw, `-100` to `100`, default `0`
-        pub limited_integer24: i32,
         /// 2204h `Limited REAL32`, `REAL32`, rw, `0.5` to `2.0`, default `1.0`
         pub limited_real32: f32,
         /// 2403h `Formula UNSIGNED24`, `UNSIGNED24`, rw, default `$NODEID+0x10000`
@@ -81,6 +73,66 @@ pub mod every_kind {
         /// * `[0]`: `First`, default `$NODEID+0x200`
         /// * `[1]`: `Second`, default `5`
         pub formula_list: [u32; 2],
+        /// 1017h `Producer heartbeat time`, `UNSIGNED16` in ms, rw, default `1000`
+        pub producer_heartbeat_time: u16,
+        /// 2002h `Value INTEGER16`, `INTEGER16`, rw, default `-300`, PDO-mappable
+        pub value_integer16: i16,
+        /// 200Ah `Value UNSIGNED16`, `UNSIGNED16`, rw, default `65535`, PDO-mappable
+        pub value_unsigned16: u16,
+        /// 2300sub1 to 2300sub3 `Limited list`, `INTEGER16`, rw
+        ///
+        /// * `[0]`: `Element 1`, `-10` to `10`, default `1`
+        /// * `[1]`: `Element 2`, `-10` to `20`, default `2`
+        /// * `[2]`: `Element 3`, `-10` to `30`, default `3`
+        pub limited_list: [i16; 3],
+        /// 2401h `Formula UNSIGNED16`, `UNSIGNED16`, rw, default `$NODEID+0x700`
+        pub formula_unsigned16: u16,
+        /// 2402h `Formula INTEGER16`, `INTEGER16`, rw, default `$NODEID+0x10`
+        pub formula_integer16: i16,
+        /// 1800sub2 `TPDO communication parameter`, `Transmission type`, `UNSIGNED8`, rw, default `254`
+        pub tpdo_communication_parameter_1800_transmission_type: u8,
+        /// 1801sub2 `TPDO communication parameter`, `Transmission type`, `UNSIGNED8`, rw, default `254`
+        pub tpdo_communication_parameter_1801_transmission_type: u8,
+        /// 1A00sub0 `TPDO mapping parameter`, `Number of mapped objects`, `UNSIGNED8`, rw, default `2`
+        pub tpdo_mapping_parameter_number_of_mapped_objects: u8,
+        /// 2000h `Value BOOLEAN`, `BOOLEAN`, rw, default `true`, PDO-mappable
+        pub value_boolean: Boolean,
+        /// 2001h `Value INTEGER8`, `INTEGER8`, rw, default `-5`, PDO-mappable
+        pub value_integer8: i8,
+        /// 2009h `Value UNSIGNED8`, `UNSIGNED8`, rw, default `255`, PDO-mappable
+        pub value_unsigned8: u8,
+        /// 2013h `Value VISIBLE_STRING`, `VISIBLE_STRING`, rw, at most 20 bytes, default `text`
+        pub value_visible_string: VisibleString<20>,
+        /// 2014h `Value OCTET_STRING`, `OCTET_STRING`, rw, at most 3 bytes, default `01 02 FF`
+        pub value_octet_string: OctetString<3>,
+        /// 2015h `Value UNICODE_STRING`, `UNICODE_STRING`, rw, at most 10 bytes, default `Größe`
+        pub value_unicode_string: OctetString<10>,
+        /// 2207h `Limited BOOLEAN`, `BOOLEAN`, rw, at least `true`, default `true`
+        pub limited_boolean: Boolean,
+        /// 2301sub1 to 2301subFE `Long list`, `UNSIGNED8`, rw, default `7`
+        pub long_list: [u8; 254],
+        /// 2303sub1 to 2303sub2 `List of texts`, `VISIBLE_STRING`, rw, at most 6 bytes
+        ///
+        /// * `[0]`: `First`, default `one`
+        /// * `[1]`: `Second`, default `second`
+        pub list_of_texts: [VisibleString<6>; 2],
+        /// 2602h `Note`, `VISIBLE_STRING`, rw, at most 3 bytes, default `abc`
+        pub note: VisibleString<3>,
+        /// 2605h `Motto`, `VISIBLE_STRING`, const, at most 23 bytes, default `const, but answered for`
+        pub motto: VisibleString<23>,
+        /// 2606sub1 to 2606sub2 `Switches`, `BOOLEAN`, rw
+        ///
+        /// * `[0]`: `Switch 1`, default `false`
+        /// * `[1]`: `Switch 2`, default `true`
+        pub switches: [Boolean; 2],
+        /// 2202h `Limited INTEGER40`, `INTEGER40`, rw, `-1000` to `549_755_813_887`, default `0`
+        pub limited_integer40: i64,
+        /// 2205h `Limited REAL64`, `REAL64`, rw, at least `-1.0e300`, default `0.0`
+        pub limited_real64: f64,
+        /// 1018sub4 `Identity object`, `Serial number`, `UNSIGNED32`, const, default `0x0000_0000`
+        pub identity_object_serial_number: u32,
+        /// 2201h `Limited INTEGER24`, `INTEGER24`, rw, `-100` to `100`, default `0`
+        pub limited_integer24: i32,
         /// 2500h `type`, `UNSIGNED32`, rw, default `0`
         pub type_: u32,
         /// 2501h `self`, `UNSIGNED32`, rw, default `0`
@@ -125,8 +177,6 @@ pub mod every_kind {
         pub preset_value: u32,
         /// 6004h `Position value`, `UNSIGNED32`, ro, default `0`, PDO-mappable
         pub position_value: u32,
-        /// 1017h `Producer heartbeat time`, `UNSIGNED16` in ms, rw, default `1000`
-        pub producer_heartbeat_time: u16,
         /// 1800sub3 `TPDO communication parameter`, `Inhibit time`, `UNSIGNED16` in multiples of 100 µs, rw, default `0`
         pub tpdo_communication_parameter_1800_inhibit_time: u16,
         /// 1800sub5 `TPDO communication parameter`, `Event timer`, `UNSIGNED16` in ms, rw, default `0`
@@ -135,52 +185,20 @@ pub mod every_kind {
         pub tpdo_communication_parameter_1801_inhibit_time: u16,
         /// 1801sub5 `TPDO communication parameter`, `Event timer`, `UNSIGNED16` in ms, rw, default `0`
         pub tpdo_communication_parameter_1801_event_timer: u16,
-        /// 2002h `Value INTEGER16`, `INTEGER16`, rw, default `-300`, PDO-mappable
-        pub value_integer16: i16,
-        /// 200Ah `Value UNSIGNED16`, `UNSIGNED16`, rw, default `65535`, PDO-mappable
-        pub value_unsigned16: u16,
         /// 2206h `Limited UNSIGNED16`, `UNSIGNED16`, rw, `0` to `65535`, default `0`
         pub limited_unsigned16: u16,
-        /// 2300sub1 to 2300sub3 `Limited list`, `INTEGER16`, rw
-        ///
-        /// * `[0]`: `Element 1`, `-10` to `10`, default `1`
-        /// * `[1]`: `Element 2`, `-10` to `20`, default `2`
-        /// * `[2]`: `Element 3`, `-10` to `30`, default `3`
-        pub limited_list: [i16; 3],
         /// 2302sub1 `List with a gap`, `Element 1`, `UNSIGNED16`, rw, default `0`
         pub list_with_a_gap_element_1: u16,
         /// 2302sub2 `List with a gap`, `Element 2`, `UNSIGNED16`, rw, default `0`
         pub list_with_a_gap_element_2: u16,
         /// 2302sub4 `List with a gap`, `Element 4`, `UNSIGNED16`, rw, default `0`
         pub list_with_a_gap_element_4: u16,
-        /// 2401h `Formula UNSIGNED16`, `UNSIGNED16`, rw, default `$NODEID+0x700`
-        pub formula_unsigned16: u16,
-        /// 2402h `Formula INTEGER16`, `INTEGER16`, rw, default `$NODEID+0x10`
-        pub formula_integer16: i16,
         /// 6030sub1 to 6030sub3 `Speed value`, `INTEGER16`, ro, default `0`, PDO-mappable
         pub speed_value: [i16; 3],
         /// 1001h `Error register`, `UNSIGNED8`, ro, default `0`, PDO-mappable
         pub error_register: u8,
         /// 100Ah `Manufacturer software version`, `VISIBLE_STRING`, const, at most 32 bytes
         pub manufacturer_software_version: VisibleString<32>,
-        /// 1800sub2 `TPDO communication parameter`, `Transmission type`, `UNSIGNED8`, rw, default `254`
-        pub tpdo_communication_parameter_1800_transmission_type: u8,
-        /// 1801sub2 `TPDO communication parameter`, `Transmission type`, `UNSIGNED8`, rw, default `254`
-        pub tpdo_communication_parameter_1801_transmission_type: u8,
-        /// 1A00sub0 `TPDO mapping parameter`, `Number of mapped objects`, `UNSIGNED8`, rw, default `2`
-        pub tpdo_mapping_parameter_number_of_mapped_objects: u8,
-        /// 2000h `Value BOOLEAN`, `BOOLEAN`, rw, default `true`, PDO-mappable
-        pub value_boolean: Boolean,
-        /// 2001h `Value INTEGER8`, `INTEGER8`, rw, default `-5`, PDO-mappable
-        pub value_integer8: i8,
-        /// 2009h `Value UNSIGNED8`, `UNSIGNED8`, rw, default `255`, PDO-mappable
-        pub value_unsigned8: u8,
-        /// 2013h `Value VISIBLE_STRING`, `VISIBLE_STRING`, rw, at most 20 bytes, default `text`
-        pub value_visible_string: VisibleString<20>,
-        /// 2014h `Value OCTET_STRING`, `OCTET_STRING`, rw, at most 3 bytes, default `01 02 FF`
-        pub value_octet_string: OctetString<3>,
-        /// 2015h `Value UNICODE_STRING`, `UNICODE_STRING`, rw, at most 10 bytes, default `Größe`
-        pub value_unicode_string: OctetString<10>,
         /// 2016h `Value TIME_OF_DAY`, `TIME_OF_DAY`, rw
         pub value_time_of_day: TimeOfDay,
         /// 2017h `Value TIME_DIFFERENCE`, `TIME_DIFFERENCE`, rw
@@ -195,32 +213,14 @@ pub mod every_kind {
         pub constant_domain: OctetString<32>,
         /// 2200h `Limited INTEGER8`, `INTEGER8`, rw, `-10` to `10`, default `0`
         pub limited_integer8: i8,
-        /// 2207h `Limited BOOLEAN`, `BOOLEAN`, rw, at least `true`, default `true`
-        pub limited_boolean: Boolean,
-        /// 2301sub1 to 2301subFE `Long list`, `UNSIGNED8`, rw, default `7`
-        pub long_list: [u8; 254],
-        /// 2303sub1 to 2303sub2 `List of texts`, `VISIBLE_STRING`, rw, at most 6 bytes
-        ///
-        /// * `[0]`: `First`, default `one`
-        /// * `[1]`: `Second`, default `second`
-        pub list_of_texts: [VisibleString<6>; 2],
         /// 2400h `Formula UNSIGNED8`, `UNSIGNED8`, rw, default `$NODEID`
         pub formula_unsigned8: u8,
         /// 2600h `Switch`, `BOOLEAN`, rw, default `false`
         pub switch: Boolean,
         /// 2601h `Command`, `UNSIGNED8`, wo, at most `3`, default `0`
         pub command: u8,
-        /// 2602h `Note`, `VISIBLE_STRING`, rw, at most 3 bytes, default `abc`
-        pub note: VisibleString<3>,
         /// 2604h `Clock`, `TIME_OF_DAY`, rw
         pub clock: TimeOfDay,
-        /// 2605h `Motto`, `VISIBLE_STRING`, const, at most 23 bytes, default `const, but answered for`
-        pub motto: VisibleString<23>,
-        /// 2606sub1 to 2606sub2 `Switches`, `BOOLEAN`, rw
-        ///
-        /// * `[0]`: `Switch 1`, default `false`
-        /// * `[1]`: `Switch 2`, default `true`
-        pub switches: [Boolean; 2],
         _padding: [u8; 1],
     }
     impl Dictionary {
@@ -331,14 +331,11 @@ pub mod every_kind {
             value_unsigned56: 72_057_594_037_927_935,
             value_unsigned64: 18_446_744_073_709_551_615,
             value_real64: core::f64::consts::E,
-            limited_integer40: 0,
             limited_unsigned40: 4_294_967_296,
-            limited_real64: 0.0,
             formula_unsigned64: 0x0000_0001_0000_0000,
             cob_id_sync: 0x0000_0080,
             store_parameters: [0x0000_0001],
             cob_id_emcy: 0x0000_0080,
-            identity_object_serial_number: 0x0000_0000,
             tpdo_communication_parameter_1800_cob_id_used_by_tpdo: 0x0000_0180,
             tpdo_communication_parameter_1801_cob_id_used_by_tpdo: 0x0000_0280,
             tpdo_mapping_parameter: [0x6004_0020, 0x6030_0110, 0x0000_0000],
@@ -347,10 +344,36 @@ pub mod every_kind {
             value_unsigned32: 4_294_967_295,
             value_unsigned24: 16_777_215,
             value_real32: 314.0 / 100.0,
-            limited_integer24: 0,
             limited_real32: 1.0,
             formula_unsigned24: 0x0001_0000,
             formula_list: [0x0000_0200, 5],
+            producer_heartbeat_time: 1000,
+            value_integer16: -300,
+            value_unsigned16: 65535,
+            limited_list: [1, 2, 3],
+            formula_unsigned16: 0x0700,
+            formula_integer16: 0x0010,
+            tpdo_communication_parameter_1800_transmission_type: 254,
+            tpdo_communication_parameter_1801_transmission_type: 254,
+            tpdo_mapping_parameter_number_of_mapped_objects: 2,
+            value_boolean: Boolean::new(true),
+            value_integer8: -5,
+            value_unsigned8: 255,
+            value_visible_string: VisibleString::new(b"text"),
+            value_octet_string: OctetString::new(&[0x01, 0x02, 0xFF]),
+            value_unicode_string: OctetString::new(
+                &[0x47, 0x00, 0x72, 0x00, 0xF6, 0x00, 0xDF, 0x00, 0x65, 0x00],
+            ),
+            limited_boolean: Boolean::new(true),
+            long_list: [7; 254],
+            list_of_texts: [VisibleString::new(b"one"), VisibleString::new(b"second")],
+            note: VisibleString::new(b"abc"),
+            motto: VisibleString::new(b"const, but answered for"),
+            switches: [Boolean::new(false), Boolean::new(true)],
+            limited_integer40: 0,
+            limited_real64: 0.0,
+            identity_object_serial_number: 0x0000_0000,
+            limited_integer24: 0,
             type_: 0,
             self_: 0,
             object_2nd_value: 0,
@@ -373,34 +396,17 @@ pub mod every_kind {
             record_of_twins_own: 0,
             preset_value: 0,
             position_value: 0,
-            producer_heartbeat_time: 1000,
             tpdo_communication_parameter_1800_inhibit_time: 0,
             tpdo_communication_parameter_1800_event_timer: 0,
             tpdo_communication_parameter_1801_inhibit_time: 0,
             tpdo_communication_parameter_1801_event_timer: 0,
-            value_integer16: -300,
-            value_unsigned16: 65535,
             limited_unsigned16: 0,
-            limited_list: [1, 2, 3],
             list_with_a_gap_element_1: 0,
             list_with_a_gap_element_2: 0,
             list_with_a_gap_element_4: 0,
-            formula_unsigned16: 0x0700,
-            formula_integer16: 0x0010,
             speed_value: [0; 3],
             error_register: 0,
             manufacturer_software_version: VisibleString::EMPTY,
-            tpdo_communication_parameter_1800_transmission_type: 254,
-            tpdo_communication_parameter_1801_transmission_type: 254,
-            tpdo_mapping_parameter_number_of_mapped_objects: 2,
-            value_boolean: Boolean::new(true),
-            value_integer8: -5,
-            value_unsigned8: 255,
-            value_visible_string: VisibleString::new(b"text"),
-            value_octet_string: OctetString::new(&[0x01, 0x02, 0xFF]),
-            value_unicode_string: OctetString::new(
-                &[0x47, 0x00, 0x72, 0x00, 0xF6, 0x00, 0xDF, 0x00, 0x65, 0x00],
-            ),
             value_time_of_day: TimeOfDay::new(0, 0),
             value_time_difference: TimeOfDay::new(0, 0),
             value_domain: OctetString::EMPTY,
@@ -408,16 +414,10 @@ pub mod every_kind {
             constant_time_difference: TimeOfDay::new(0, 0),
             constant_domain: OctetString::EMPTY,
             limited_integer8: 0,
-            limited_boolean: Boolean::new(true),
-            long_list: [7; 254],
-            list_of_texts: [VisibleString::new(b"one"), VisibleString::new(b"second")],
             formula_unsigned8: 0x00,
             switch: Boolean::new(false),
             command: 0,
-            note: VisibleString::new(b"abc"),
             clock: TimeOfDay::new(0, 0),
-            motto: VisibleString::new(b"const, but answered for"),
-            switches: [Boolean::new(false), Boolean::new(true)],
             _padding: [0; 1],
         };
         /// The values after power-on of the node `node_id`.
@@ -678,7 +678,7 @@ pub mod every_kind {
         #[must_use]
         pub const fn with_storage(handlers: H, storage: S) -> Self {
             Self {
-                od: Dictionary::DEFAULTS,
+                od: bytemuck::must_cast(resized::<SIZE>(POWER_ON)),
                 handlers,
                 storage,
             }
@@ -707,7 +707,7 @@ pub mod every_kind {
         }
         #[inline]
         fn defaults(&self) -> &[u8] {
-            bytemuck::bytes_of(&Dictionary::DEFAULTS)
+            POWER_ON
         }
         #[inline]
         fn buffer(&self) -> Self::Buffer {
@@ -810,6 +810,13 @@ pub mod every_kind {
             }
         }
     }
+    /// Bytes of the values.
+    const SIZE: usize = core::mem::size_of::<Dictionary>();
+    /// The values after power-on, up to the last byte that is not 0.
+    const POWER_ON: &[u8] = {
+        const ALL: [u8; SIZE] = bytemuck::must_cast(Dictionary::DEFAULTS);
+        &resized::<{ written(&ALL) }>(&ALL)
+    };
 
     const TABLE: Table<'static> = Table {
         entries: &place::<422>(&ROWS, &SEEDS),

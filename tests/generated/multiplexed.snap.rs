@@ -4,13 +4,14 @@ pub mod multiplexed {
     //! * Vendor: `Lexican`
     //! * Order code: `MPDO-1`
     //! * Description: `Multiplexed PDOs`
-    //! * 45 values of 19 objects; 88 bytes of RAM
+    //! * 45 values of 19 objects; 96 bytes of RAM
     use core::mem::offset_of;
     use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
         Access, DataType, Extra, NumberSet, Row, ServiceSet, Table, Value, place,
+        resized, written,
     };
-    /// The values of the dictionary, the widest first, so that nothing stands between them.
+    /// The values of the dictionary: first those that are not 0 after power-on, and of both kinds the widest first.
     #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
     #[bytemuck(crate = "::lexican_runtime::bytemuck")]
     #[repr(C)]
@@ -20,24 +21,14 @@ pub mod multiplexed {
         /// * `[0]`: `Dispatch 1`, default `99_642_143_366_447_111`
         /// * `[1]`: `Dispatch 2`, default `153_685_359_312_503_047`
         pub object_dispatching_list_1: [u64; 2],
-        /// 1018sub4 `Identity`, `Serial number`, `UNSIGNED32`, ro, default `0x0000_0000`
-        pub identity_serial_number: u32,
         /// 1400sub1 `RPDO 1 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x200`
         pub rpdo_1_communication_cob_id: u32,
         /// 1401sub1 `RPDO 2 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x300`
         pub rpdo_2_communication_cob_id: u32,
-        /// 1600sub1 `RPDO 1 mapping`, `UNSIGNED32`, rw, default `0x0000_0000`
-        pub rpdo_1_mapping: [u32; 1],
-        /// 1601sub1 `RPDO 2 mapping`, `UNSIGNED32`, rw, default `0x0000_0000`
-        pub rpdo_2_mapping: [u32; 1],
         /// 1800sub1 `TPDO 1 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x180`
         pub tpdo_1_communication_cob_id: u32,
         /// 1801sub1 `TPDO 2 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x280`
         pub tpdo_2_communication_cob_id: u32,
-        /// 1A00sub1 `TPDO 1 mapping`, `UNSIGNED32`, rw, default `0x0000_0000`
-        pub tpdo_1_mapping: [u32; 1],
-        /// 1A01sub1 `TPDO 2 mapping`, `UNSIGNED32`, rw, default `0x0000_0000`
-        pub tpdo_2_mapping: [u32; 1],
         /// 1FA0sub1 to 1FA0sub2 `Object scanner list 1`, `UNSIGNED32`, rw
         ///
         /// * `[0]`: `Scan 1`, default `0x0160_0400`
@@ -47,12 +38,8 @@ pub mod multiplexed {
         pub object_scanner_list_2: [u32; 1],
         /// 6004h `Position value`, `UNSIGNED32`, ro, default `287_454_020`, PDO-mappable
         pub position_value: u32,
-        /// 6200h `Set point`, `UNSIGNED32`, rww, default `0`, PDO-mappable
-        pub set_point: u32,
         /// 2100sub3 `Readings`, `Third`, `UNSIGNED16`, ro, default `41891`, PDO-mappable
         pub readings_third: u16,
-        /// 1001h `Error register`, `UNSIGNED8`, ro, default `0`
-        pub error_register: u8,
         /// 1400sub2 `RPDO 1 communication`, `Transmission type`, `UNSIGNED8`, rw, default `254`
         pub rpdo_1_communication_transmission_type: u8,
         /// 1401sub2 `RPDO 2 communication`, `Transmission type`, `UNSIGNED8`, rw, default `254`
@@ -73,12 +60,28 @@ pub mod multiplexed {
         pub readings_first: u8,
         /// 2100sub4 `Readings`, `Fourth`, `UNSIGNED8`, ro, default `164`, PDO-mappable
         pub readings_fourth: u8,
+        /// 2300h `Not mappable`, `UNSIGNED8`, rw, default `35`
+        pub not_mappable: u8,
+        _gap: [u8; 3],
+        /// 1018sub4 `Identity`, `Serial number`, `UNSIGNED32`, ro, default `0x0000_0000`
+        pub identity_serial_number: u32,
+        /// 1600sub1 `RPDO 1 mapping`, `UNSIGNED32`, rw, default `0x0000_0000`
+        pub rpdo_1_mapping: [u32; 1],
+        /// 1601sub1 `RPDO 2 mapping`, `UNSIGNED32`, rw, default `0x0000_0000`
+        pub rpdo_2_mapping: [u32; 1],
+        /// 1A00sub1 `TPDO 1 mapping`, `UNSIGNED32`, rw, default `0x0000_0000`
+        pub tpdo_1_mapping: [u32; 1],
+        /// 1A01sub1 `TPDO 2 mapping`, `UNSIGNED32`, rw, default `0x0000_0000`
+        pub tpdo_2_mapping: [u32; 1],
+        /// 6200h `Set point`, `UNSIGNED32`, rww, default `0`, PDO-mappable
+        pub set_point: u32,
+        /// 1001h `Error register`, `UNSIGNED8`, ro, default `0`
+        pub error_register: u8,
         /// 2200sub5 `Settings`, `Fifth`, `UNSIGNED8`, rww, default `0`, PDO-mappable
         pub settings_fifth: u8,
         /// 2200sub6 `Settings`, `Sixth`, `UNSIGNED8`, rww, default `0`, PDO-mappable
         pub settings_sixth: u8,
-        /// 2300h `Not mappable`, `UNSIGNED8`, rw, default `35`
-        pub not_mappable: u8,
+        _padding: [u8; 5],
     }
     impl Dictionary {
         /// 1000h `Device type`, `UNSIGNED32`, ro
@@ -112,21 +115,14 @@ pub mod multiplexed {
         /// The values after power-on, with 0 for `$NODEID`.
         pub const DEFAULTS: Self = Self {
             object_dispatching_list_1: [99_642_143_366_447_111, 153_685_359_312_503_047],
-            identity_serial_number: 0x0000_0000,
             rpdo_1_communication_cob_id: 0x0000_0200,
             rpdo_2_communication_cob_id: 0x0000_0300,
-            rpdo_1_mapping: [0x0000_0000],
-            rpdo_2_mapping: [0x0000_0000],
             tpdo_1_communication_cob_id: 0x0000_0180,
             tpdo_2_communication_cob_id: 0x0000_0280,
-            tpdo_1_mapping: [0x0000_0000],
-            tpdo_2_mapping: [0x0000_0000],
             object_scanner_list_1: [0x0160_0400, 0x0000_0000],
             object_scanner_list_2: [0x0321_0001],
             position_value: 287_454_020,
-            set_point: 0,
             readings_third: 41891,
-            error_register: 0,
             rpdo_1_communication_transmission_type: 254,
             rpdo_2_communication_transmission_type: 254,
             rpdo_1_mapping_number_of_mapped_objects: 254,
@@ -137,9 +133,18 @@ pub mod multiplexed {
             tpdo_2_mapping_number_of_mapped_objects: 255,
             readings_first: 161,
             readings_fourth: 164,
+            not_mappable: 35,
+            _gap: [0; 3],
+            identity_serial_number: 0x0000_0000,
+            rpdo_1_mapping: [0x0000_0000],
+            rpdo_2_mapping: [0x0000_0000],
+            tpdo_1_mapping: [0x0000_0000],
+            tpdo_2_mapping: [0x0000_0000],
+            set_point: 0,
+            error_register: 0,
             settings_fifth: 0,
             settings_sixth: 0,
-            not_mappable: 35,
+            _padding: [0; 5],
         };
         /// The values after power-on of the node `node_id`.
         #[must_use]
@@ -174,7 +179,7 @@ pub mod multiplexed {
         #[must_use]
         pub const fn new(handlers: H) -> Self {
             Self {
-                od: Dictionary::DEFAULTS,
+                od: bytemuck::must_cast(resized::<SIZE>(POWER_ON)),
                 handlers,
             }
         }
@@ -201,7 +206,7 @@ pub mod multiplexed {
         }
         #[inline]
         fn defaults(&self) -> &[u8] {
-            bytemuck::bytes_of(&Dictionary::DEFAULTS)
+            POWER_ON
         }
         #[inline]
         fn buffer(&self) -> Self::Buffer {
@@ -230,6 +235,13 @@ pub mod multiplexed {
             Ok(())
         }
     }
+    /// Bytes of the values.
+    const SIZE: usize = core::mem::size_of::<Dictionary>();
+    /// The values after power-on, up to the last byte that is not 0.
+    const POWER_ON: &[u8] = {
+        const ALL: [u8; SIZE] = bytemuck::must_cast(Dictionary::DEFAULTS);
+        &resized::<{ written(&ALL) }>(&ALL)
+    };
 
     const TABLE: Table<'static> = Table {
         entries: &place::<47>(&ROWS, &SEEDS),

@@ -4,20 +4,18 @@ pub mod servers {
     //! * Vendor: `Lexican`
     //! * Order code: `SDO-3`
     //! * Description: `Several SDO servers`
-    //! * 19 values of 7 objects; 64 bytes of RAM
+    //! * 19 values of 7 objects; 68 bytes of RAM
     use core::mem::offset_of;
     use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
         Access, DataType, Extra, NumberSet, Row, ServiceSet, Table, Value, VisibleString,
-        place,
+        place, resized, written,
     };
-    /// The values of the dictionary, the widest first, so that nothing stands between them.
+    /// The values of the dictionary: first those that are not 0 after power-on, and of both kinds the widest first.
     #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
     #[bytemuck(crate = "::lexican_runtime::bytemuck")]
     #[repr(C)]
     pub struct Dictionary {
-        /// 1018sub4 `Identity`, `Serial number`, `UNSIGNED32`, ro, default `0x0000_0000`
-        pub identity_serial_number: u32,
         /// 1200sub1 `SDO server 1`, `COB-ID client to server`, `UNSIGNED32`, ro, default `$NODEID+0x600`
         pub sdo_server_1_cob_id_client_to_server: u32,
         /// 1200sub2 `SDO server 1`, `COB-ID server to client`, `UNSIGNED32`, ro, default `$NODEID+0x580`
@@ -30,15 +28,18 @@ pub mod servers {
         pub sdo_server_4_cob_id_client_to_server: u32,
         /// 1203sub2 `SDO server 4`, `COB-ID server to client`, `UNSIGNED32`, rw, default `0x8000_0000`
         pub sdo_server_4_cob_id_server_to_client: u32,
-        /// 1001h `Error register`, `UNSIGNED8`, ro, default `0`
-        pub error_register: u8,
         /// 1201sub3 `SDO server 2`, `Node-ID of the client`, `UNSIGNED8`, rw, default `1`
         pub sdo_server_2_node_id_of_the_client: u8,
         /// 1203sub3 `SDO server 4`, `Node-ID of the client`, `UNSIGNED8`, rw, default `1`
         pub sdo_server_4_node_id_of_the_client: u8,
         /// 2000h `Note`, `VISIBLE_STRING`, rw, at most 29 bytes, default `A note that anybody may write`
         pub note: VisibleString<29>,
-        _padding: [u8; 2],
+        _gap: [u8; 3],
+        /// 1018sub4 `Identity`, `Serial number`, `UNSIGNED32`, ro, default `0x0000_0000`
+        pub identity_serial_number: u32,
+        /// 1001h `Error register`, `UNSIGNED8`, ro, default `0`
+        pub error_register: u8,
+        _padding: [u8; 3],
     }
     impl Dictionary {
         /// 1000h `Device type`, `UNSIGNED32`, ro
@@ -59,18 +60,19 @@ pub mod servers {
         pub const SDO_SERVER_4_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 3;
         /// The values after power-on, with 0 for `$NODEID`.
         pub const DEFAULTS: Self = Self {
-            identity_serial_number: 0x0000_0000,
             sdo_server_1_cob_id_client_to_server: 0x0000_0600,
             sdo_server_1_cob_id_server_to_client: 0x0000_0580,
             sdo_server_2_cob_id_client_to_server: 0x0000_0680,
             sdo_server_2_cob_id_server_to_client: 0x0000_06A0,
             sdo_server_4_cob_id_client_to_server: 0x8000_0000,
             sdo_server_4_cob_id_server_to_client: 0x8000_0000,
-            error_register: 0,
             sdo_server_2_node_id_of_the_client: 1,
             sdo_server_4_node_id_of_the_client: 1,
             note: VisibleString::new(b"A note that anybody may write"),
-            _padding: [0; 2],
+            _gap: [0; 3],
+            identity_serial_number: 0x0000_0000,
+            error_register: 0,
+            _padding: [0; 3],
         };
         /// The values after power-on of the node `node_id`.
         #[must_use]
@@ -105,7 +107,7 @@ pub mod servers {
         #[must_use]
         pub const fn new(handlers: H) -> Self {
             Self {
-                od: Dictionary::DEFAULTS,
+                od: bytemuck::must_cast(resized::<SIZE>(POWER_ON)),
                 handlers,
             }
         }
@@ -132,7 +134,7 @@ pub mod servers {
         }
         #[inline]
         fn defaults(&self) -> &[u8] {
-            bytemuck::bytes_of(&Dictionary::DEFAULTS)
+            POWER_ON
         }
         #[inline]
         fn buffer(&self) -> Self::Buffer {
@@ -161,6 +163,13 @@ pub mod servers {
             Ok(())
         }
     }
+    /// Bytes of the values.
+    const SIZE: usize = core::mem::size_of::<Dictionary>();
+    /// The values after power-on, up to the last byte that is not 0.
+    const POWER_ON: &[u8] = {
+        const ALL: [u8; SIZE] = bytemuck::must_cast(Dictionary::DEFAULTS);
+        &resized::<{ written(&ALL) }>(&ALL)
+    };
 
     const TABLE: Table<'static> = Table {
         entries: &place::<20>(&ROWS, &SEEDS),

@@ -4,26 +4,18 @@ pub mod wdga {
     //! * Vendor: `Wachendorff Automation`
     //! * Order code: `WDGA`
     //! * Description: `Absolute multiturn encoder WDGA`
-    //! * 228 values of 93 objects; 592 bytes of RAM
+    //! * 228 values of 93 objects; 600 bytes of RAM
     use core::mem::offset_of;
     use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
         Access, DataType, Extra, NumberSet, Row, ServiceSet, Table, Value, VisibleString,
-        place,
+        place, resized, written,
     };
-    /// The values of the dictionary, the widest first, so that nothing stands between them.
+    /// The values of the dictionary: first those that are not 0 after power-on, and of both kinds the widest first.
     #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
     #[bytemuck(crate = "::lexican_runtime::bytemuck")]
     #[repr(C)]
     pub struct Dictionary {
-        /// 6008h `High precision position value`, `UNSIGNED64`, ro, PDO-mappable
-        pub high_precision_position_value: u64,
-        /// 6009h `High precision preset value`, `UNSIGNED64`, rw, default `0`
-        pub high_precision_preset_value: u64,
-        /// 1002h `Manufacturer status register`, `UNSIGNED32`, ro, default `0x0000_0000`, PDO-mappable
-        pub manufacturer_status_register: u32,
-        /// 1003sub1 to 1003sub5 `Predefined error field`, `UNSIGNED32`, ro, default `0x0000_0000`
-        pub predefined_error_field: [u32; 5],
         /// 1005h `COB-ID SYNC message`, `UNSIGNED32`, rw, default `0x0000_0080`
         pub cob_id_sync_message: u32,
         /// 1010sub1 to 1010sub4 `Store parameters`, `UNSIGNED32`, rw, default `0x0000_0001`
@@ -42,15 +34,6 @@ pub mod wdga {
         pub restore_default_parameters: [u32; 4],
         /// 1014h `COB-ID emergency message`, `UNSIGNED32`, rw, default `$NODEID+0x80`
         pub cob_id_emergency_message: u32,
-        /// 1016sub1 `Consumer heartbeat time`, `UNSIGNED32`, rw, default `0x0000_0000`
-        pub consumer_heartbeat_time: [u32; 1],
-        /// 1018sub4 `Identity`, `Serial number`, `UNSIGNED32`, const
-        pub identity_serial_number: u32,
-        /// 1020sub1 to 1020sub2 `Verify configuration`, `UNSIGNED32`, rw, default `0x0000_0000`
-        ///
-        /// * `[0]`: `Configuration date`
-        /// * `[1]`: `Configuration time`
-        pub verify_configuration: [u32; 2],
         /// 1800sub1 `TPDO 1 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x40000180`
         pub tpdo_1_communication_cob_id: u32,
         /// 1801sub1 `TPDO 2 communication`, `COB-ID`, `UNSIGNED32`, rw, default `$NODEID+0x40000280`
@@ -92,18 +75,75 @@ pub mod wdga {
         /// * `[6]`: `Mapped object 7`, default `0x0000_0000`
         /// * `[7]`: `Mapped object 8`, default `0x0000_0000`
         pub tpdo_3_mapping: [u32; 8],
-        /// 1A03sub1 to 1A03sub8 `TPDO 4 mapping`, `UNSIGNED32`, rw, default `0x0000_0000`
-        pub tpdo_4_mapping: [u32; 8],
-        /// 1F80h `NMT start-up behaviour`, `UNSIGNED32`, rw, default `0x0000_0000`
-        pub nmt_start_up_behaviour: u32,
         /// 2105sub2 `Integration value`, `Speed integration time`, `UNSIGNED32`, rw, default `1000`
         pub integration_value_speed_integration_time: u32,
         /// 2120sub1 to 2120sub8 `Customer EEPROM area`, `UNSIGNED32`, rw, default `4_294_967_295`
         pub customer_eeprom_area: [u32; 8],
-        /// 2502sub1 to 2502sub5 `Error history`, `UNSIGNED32`, ro
-        pub error_history: [u32; 5],
         /// 6001h `Measuring units per revolution`, `UNSIGNED32`, rw, at least `1`, default `16384`
         pub measuring_units_per_revolution: u32,
+        /// 6402sub1 `Work area high limit`, `INTEGER32`, rw, default `16384`
+        pub work_area_high_limit: [i32; 1],
+        /// 2106sub1 to 2106sub2 `Speed scaling`, `UNSIGNED16`, rw, default `1`
+        ///
+        /// * `[0]`: `Speed multiplier`
+        /// * `[1]`: `Speed divisor`
+        pub speed_scaling: [u16; 2],
+        /// 2107h `Frequency limit`, `UNSIGNED16`, rw, `1` to `65535`, default `65535`
+        pub frequency_limit: u16,
+        /// 2500sub2 `Temperature`, `Upper limit`, `INTEGER16`, rwr, `-40` to `100`, default `100`, PDO-mappable
+        pub temperature_upper_limit: i16,
+        /// 2500sub3 `Temperature`, `Lower limit`, `INTEGER16`, rwr, `-40` to `100`, default `-40`, PDO-mappable
+        pub temperature_lower_limit: i16,
+        /// 6000h `Operating parameters`, `UNSIGNED16`, rw, default `4`
+        pub operating_parameters: u16,
+        /// 6200h `Cyclic timer`, `UNSIGNED16`, rw, default `1`
+        pub cyclic_timer: u16,
+        /// 1800sub2 `TPDO 1 communication`, `Transmission type`, `UNSIGNED8`, rw, default `254`
+        pub tpdo_1_communication_transmission_type: u8,
+        /// 1801sub2 `TPDO 2 communication`, `Transmission type`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_2_communication_transmission_type: u8,
+        /// 1802sub2 `TPDO 3 communication`, `Transmission type`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_3_communication_transmission_type: u8,
+        /// 1803sub2 `TPDO 4 communication`, `Transmission type`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_4_communication_transmission_type: u8,
+        /// 1A00sub0 `TPDO 1 mapping`, `Number of mapped objects`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_1_mapping_number_of_mapped_objects: u8,
+        /// 1A01sub0 `TPDO 2 mapping`, `Number of mapped objects`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_2_mapping_number_of_mapped_objects: u8,
+        /// 1A02sub0 `TPDO 3 mapping`, `Number of mapped objects`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_3_mapping_number_of_mapped_objects: u8,
+        /// 2100h `Baud rate`, `UNSIGNED8`, rw, `0` to `9`, default `9`
+        pub baud_rate: u8,
+        /// 2101h `Node-ID`, `UNSIGNED8`, rw, `1` to `127`, default `127`
+        pub node_id: u8,
+        /// 2105sub1 `Integration value`, `Position filter`, `UNSIGNED8`, rw, `1` to `4`, default `1`
+        pub integration_value_position_filter: u8,
+        /// 2504sub0 `Warning history`, `Highest sub-index supported`, `UNSIGNED8`, rw, default `5`
+        pub warning_history_highest_sub_index_supported: u8,
+        _gap: [u8; 3],
+        /// 6008h `High precision position value`, `UNSIGNED64`, ro, PDO-mappable
+        pub high_precision_position_value: u64,
+        /// 6009h `High precision preset value`, `UNSIGNED64`, rw, default `0`
+        pub high_precision_preset_value: u64,
+        /// 1002h `Manufacturer status register`, `UNSIGNED32`, ro, default `0x0000_0000`, PDO-mappable
+        pub manufacturer_status_register: u32,
+        /// 1003sub1 to 1003sub5 `Predefined error field`, `UNSIGNED32`, ro, default `0x0000_0000`
+        pub predefined_error_field: [u32; 5],
+        /// 1016sub1 `Consumer heartbeat time`, `UNSIGNED32`, rw, default `0x0000_0000`
+        pub consumer_heartbeat_time: [u32; 1],
+        /// 1018sub4 `Identity`, `Serial number`, `UNSIGNED32`, const
+        pub identity_serial_number: u32,
+        /// 1020sub1 to 1020sub2 `Verify configuration`, `UNSIGNED32`, rw, default `0x0000_0000`
+        ///
+        /// * `[0]`: `Configuration date`
+        /// * `[1]`: `Configuration time`
+        pub verify_configuration: [u32; 2],
+        /// 1A03sub1 to 1A03sub8 `TPDO 4 mapping`, `UNSIGNED32`, rw, default `0x0000_0000`
+        pub tpdo_4_mapping: [u32; 8],
+        /// 1F80h `NMT start-up behaviour`, `UNSIGNED32`, rw, default `0x0000_0000`
+        pub nmt_start_up_behaviour: u32,
+        /// 2502sub1 to 2502sub5 `Error history`, `UNSIGNED32`, ro
+        pub error_history: [u32; 5],
         /// 6002h `Total measuring range`, `UNSIGNED32`, rw
         pub total_measuring_range: u32,
         /// 6003h `Preset value`, `UNSIGNED32`, rw, default `0`
@@ -160,8 +200,6 @@ pub mod wdga {
         pub cam_8_hysteresis: [u32; 1],
         /// 6401sub1 `Work area low limit`, `INTEGER32`, rw, default `0`
         pub work_area_low_limit: [i32; 1],
-        /// 6402sub1 `Work area high limit`, `INTEGER32`, rw, default `16384`
-        pub work_area_high_limit: [i32; 1],
         /// 6509h `Offset value`, `INTEGER32`, ro, default `0`
         pub offset_value: i32,
         /// 650Asub2 `Module identification`, `Minimum position`, `INTEGER32`, const
@@ -184,19 +222,8 @@ pub mod wdga {
         pub tpdo_3_communication_event_timer: u16,
         /// 1803sub5 `TPDO 4 communication`, `Event timer`, `UNSIGNED16` in ms, rw, default `0`
         pub tpdo_4_communication_event_timer: u16,
-        /// 2106sub1 to 2106sub2 `Speed scaling`, `UNSIGNED16`, rw, default `1`
-        ///
-        /// * `[0]`: `Speed multiplier`
-        /// * `[1]`: `Speed divisor`
-        pub speed_scaling: [u16; 2],
-        /// 2107h `Frequency limit`, `UNSIGNED16`, rw, `1` to `65535`, default `65535`
-        pub frequency_limit: u16,
         /// 2500sub1 `Temperature`, `Current`, `INTEGER16`, ro, PDO-mappable
         pub temperature_current: i16,
-        /// 2500sub2 `Temperature`, `Upper limit`, `INTEGER16`, rwr, `-40` to `100`, default `100`, PDO-mappable
-        pub temperature_upper_limit: i16,
-        /// 2500sub3 `Temperature`, `Lower limit`, `INTEGER16`, rwr, `-40` to `100`, default `-40`, PDO-mappable
-        pub temperature_lower_limit: i16,
         /// 2500sub4 `Temperature`, `Maximum`, `INTEGER16`, ro, PDO-mappable
         pub temperature_maximum: i16,
         /// 2500sub5 `Temperature`, `Minimum`, `INTEGER16`, ro, PDO-mappable
@@ -205,16 +232,12 @@ pub mod wdga {
         pub alarm_history: [u16; 5],
         /// 2504sub1 to 2504sub5 `Warning history`, `UNSIGNED16`, ro
         pub warning_history: [u16; 5],
-        /// 6000h `Operating parameters`, `UNSIGNED16`, rw, default `4`
-        pub operating_parameters: u16,
         /// 6030sub1 `Speed value`, `INTEGER16`, ro, PDO-mappable
         pub speed_value: [i16; 1],
         /// 6040sub1 `Acceleration value`, `INTEGER16`, ro, PDO-mappable
         pub acceleration_value: [i16; 1],
         /// 6050sub1 `Jerk value`, `INTEGER16`, ro, PDO-mappable
         pub jerk_value: [i16; 1],
-        /// 6200h `Cyclic timer`, `UNSIGNED16`, rw, default `1`
-        pub cyclic_timer: u16,
         /// 6500h `Operating status`, `UNSIGNED16`, ro
         pub operating_status: u16,
         /// 6503h `Alarms`, `UNSIGNED16`, ro, default `0`, PDO-mappable
@@ -236,32 +259,10 @@ pub mod wdga {
         /// * `[0]`: `Communication error`
         /// * `[1]`: `Encoder error`
         pub error_behaviour: [u8; 2],
-        /// 1800sub2 `TPDO 1 communication`, `Transmission type`, `UNSIGNED8`, rw, default `254`
-        pub tpdo_1_communication_transmission_type: u8,
-        /// 1801sub2 `TPDO 2 communication`, `Transmission type`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_2_communication_transmission_type: u8,
-        /// 1802sub2 `TPDO 3 communication`, `Transmission type`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_3_communication_transmission_type: u8,
-        /// 1803sub2 `TPDO 4 communication`, `Transmission type`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_4_communication_transmission_type: u8,
-        /// 1A00sub0 `TPDO 1 mapping`, `Number of mapped objects`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_1_mapping_number_of_mapped_objects: u8,
-        /// 1A01sub0 `TPDO 2 mapping`, `Number of mapped objects`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_2_mapping_number_of_mapped_objects: u8,
-        /// 1A02sub0 `TPDO 3 mapping`, `Number of mapped objects`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_3_mapping_number_of_mapped_objects: u8,
         /// 1A03sub0 `TPDO 4 mapping`, `Number of mapped objects`, `UNSIGNED8`, rw, default `0`
         pub tpdo_4_mapping_number_of_mapped_objects: u8,
-        /// 2100h `Baud rate`, `UNSIGNED8`, rw, `0` to `9`, default `9`
-        pub baud_rate: u8,
-        /// 2101h `Node-ID`, `UNSIGNED8`, rw, `1` to `127`, default `127`
-        pub node_id: u8,
         /// 2103h `Bus-off auto-reset`, `UNSIGNED8`, rw, default `0`
         pub bus_off_auto_reset: u8,
-        /// 2105sub1 `Integration value`, `Position filter`, `UNSIGNED8`, rw, `1` to `4`, default `1`
-        pub integration_value_position_filter: u8,
-        /// 2504sub0 `Warning history`, `Highest sub-index supported`, `UNSIGNED8`, rw, default `5`
-        pub warning_history_highest_sub_index_supported: u8,
         /// 6300sub1 `Cam state register`, `UNSIGNED8`, ro, default `0`, PDO-mappable
         pub cam_state_register: [u8; 1],
         /// 6301sub1 `Cam enable register`, `UNSIGNED8`, rw, default `0`
@@ -270,6 +271,7 @@ pub mod wdga {
         pub cam_polarity_register: [u8; 1],
         /// 6400sub1 `Area state register`, `UNSIGNED8`, ro, PDO-mappable
         pub area_state_register: [u8; 1],
+        _padding: [u8; 5],
     }
     impl Dictionary {
         /// 1000h `Device type`, `UNSIGNED32`, const
@@ -402,17 +404,10 @@ pub mod wdga {
         pub const NUMBER_OF_HIGH_PRECISION_REVOLUTIONS: u64 = 549_755_813_888;
         /// The values after power-on, with 0 for `$NODEID`.
         pub const DEFAULTS: Self = Self {
-            high_precision_position_value: 0,
-            high_precision_preset_value: 0,
-            manufacturer_status_register: 0x0000_0000,
-            predefined_error_field: [0x0000_0000; 5],
             cob_id_sync_message: 0x0000_0080,
             store_parameters: [0x0000_0001; 4],
             restore_default_parameters: [0x0000_0001; 4],
             cob_id_emergency_message: 0x0000_0080,
-            consumer_heartbeat_time: [0x0000_0000],
-            identity_serial_number: 0,
-            verify_configuration: [0x0000_0000, 0x0000_0000],
             tpdo_1_communication_cob_id: 0x4000_0180,
             tpdo_2_communication_cob_id: 0x4000_0280,
             tpdo_3_communication_cob_id: 0x4000_0380,
@@ -429,12 +424,38 @@ pub mod wdga {
                 0x6008_0040, 0x0000_0000, 0x0000_0000, 0x0000_0000, 0x0000_0000,
                 0x0000_0000, 0x0000_0000, 0x0000_0000,
             ],
-            tpdo_4_mapping: [0x0000_0000; 8],
-            nmt_start_up_behaviour: 0x0000_0000,
             integration_value_speed_integration_time: 1000,
             customer_eeprom_area: [4_294_967_295; 8],
-            error_history: [0; 5],
             measuring_units_per_revolution: 16384,
+            work_area_high_limit: [16384],
+            speed_scaling: [1, 1],
+            frequency_limit: 65535,
+            temperature_upper_limit: 100,
+            temperature_lower_limit: -40,
+            operating_parameters: 4,
+            cyclic_timer: 1,
+            tpdo_1_communication_transmission_type: 254,
+            tpdo_2_communication_transmission_type: 1,
+            tpdo_3_communication_transmission_type: 1,
+            tpdo_4_communication_transmission_type: 1,
+            tpdo_1_mapping_number_of_mapped_objects: 1,
+            tpdo_2_mapping_number_of_mapped_objects: 1,
+            tpdo_3_mapping_number_of_mapped_objects: 1,
+            baud_rate: 9,
+            node_id: 127,
+            integration_value_position_filter: 1,
+            warning_history_highest_sub_index_supported: 5,
+            _gap: [0; 3],
+            high_precision_position_value: 0,
+            high_precision_preset_value: 0,
+            manufacturer_status_register: 0x0000_0000,
+            predefined_error_field: [0x0000_0000; 5],
+            consumer_heartbeat_time: [0x0000_0000],
+            identity_serial_number: 0,
+            verify_configuration: [0x0000_0000, 0x0000_0000],
+            tpdo_4_mapping: [0x0000_0000; 8],
+            nmt_start_up_behaviour: 0x0000_0000,
+            error_history: [0; 5],
             total_measuring_range: 0,
             preset_value: 0,
             position_value: 0,
@@ -463,7 +484,6 @@ pub mod wdga {
             cam_7_hysteresis: [0],
             cam_8_hysteresis: [0],
             work_area_low_limit: [0],
-            work_area_high_limit: [16384],
             offset_value: 0,
             module_identification_minimum_position: 0,
             module_identification_maximum_position: 0,
@@ -475,20 +495,14 @@ pub mod wdga {
             tpdo_2_communication_event_timer: 0,
             tpdo_3_communication_event_timer: 0,
             tpdo_4_communication_event_timer: 0,
-            speed_scaling: [1, 1],
-            frequency_limit: 65535,
             temperature_current: 0,
-            temperature_upper_limit: 100,
-            temperature_lower_limit: -40,
             temperature_maximum: 0,
             temperature_minimum: 0,
             alarm_history: [0; 5],
             warning_history: [0; 5],
-            operating_parameters: 4,
             speed_value: [0],
             acceleration_value: [0],
             jerk_value: [0],
-            cyclic_timer: 1,
             operating_status: 0,
             alarms: 0,
             warnings: 0,
@@ -498,23 +512,13 @@ pub mod wdga {
             manufacturer_software_version: VisibleString::EMPTY,
             life_time_factor: 0,
             error_behaviour: [0, 0],
-            tpdo_1_communication_transmission_type: 254,
-            tpdo_2_communication_transmission_type: 1,
-            tpdo_3_communication_transmission_type: 1,
-            tpdo_4_communication_transmission_type: 1,
-            tpdo_1_mapping_number_of_mapped_objects: 1,
-            tpdo_2_mapping_number_of_mapped_objects: 1,
-            tpdo_3_mapping_number_of_mapped_objects: 1,
             tpdo_4_mapping_number_of_mapped_objects: 0,
-            baud_rate: 9,
-            node_id: 127,
             bus_off_auto_reset: 0,
-            integration_value_position_filter: 1,
-            warning_history_highest_sub_index_supported: 5,
             cam_state_register: [0],
             cam_enable_register: [0],
             cam_polarity_register: [0],
             area_state_register: [0],
+            _padding: [0; 5],
         };
         /// The values after power-on of the node `node_id`.
         #[must_use]
@@ -559,7 +563,7 @@ pub mod wdga {
         #[must_use]
         pub const fn with_storage(handlers: H, storage: S) -> Self {
             Self {
-                od: Dictionary::DEFAULTS,
+                od: bytemuck::must_cast(resized::<SIZE>(POWER_ON)),
                 handlers,
                 storage,
             }
@@ -588,7 +592,7 @@ pub mod wdga {
         }
         #[inline]
         fn defaults(&self) -> &[u8] {
-            bytemuck::bytes_of(&Dictionary::DEFAULTS)
+            POWER_ON
         }
         #[inline]
         fn buffer(&self) -> Self::Buffer {
@@ -625,6 +629,13 @@ pub mod wdga {
             Ok(())
         }
     }
+    /// Bytes of the values.
+    const SIZE: usize = core::mem::size_of::<Dictionary>();
+    /// The values after power-on, up to the last byte that is not 0.
+    const POWER_ON: &[u8] = {
+        const ALL: [u8; SIZE] = bytemuck::must_cast(Dictionary::DEFAULTS);
+        &resized::<{ written(&ALL) }>(&ALL)
+    };
 
     const TABLE: Table<'static> = Table {
         entries: &place::<238>(&ROWS, &SEEDS),

@@ -4,21 +4,18 @@ pub mod wv58mr {
     //! * Vendor: `SIKO GmbH`
     //! * Order code: `WV58MR`
     //! * Description: `Redundant absolute encoder WV58MR, 12 bit multiturn`
-    //! * 102 values of 52 objects; 244 bytes of RAM
+    //! * 102 values of 52 objects; 248 bytes of RAM
     use core::mem::offset_of;
     use lexican_runtime::{AbortCode, Address, Event, NodeId, bytemuck};
     use lexican_runtime::od::{
         Access, DataType, Extra, NumberSet, Row, ServiceSet, Table, Value, place,
+        resized, written,
     };
-    /// The values of the dictionary, the widest first, so that nothing stands between them.
+    /// The values of the dictionary: first those that are not 0 after power-on, and of both kinds the widest first.
     #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
     #[bytemuck(crate = "::lexican_runtime::bytemuck")]
     #[repr(C)]
     pub struct Dictionary {
-        /// 1002h `Manufacturer status register`, `UNSIGNED32`, ro, default `0x0000_0000`
-        pub manufacturer_status_register: u32,
-        /// 1003sub1 to 1003sub8 `Predefined error field`, `UNSIGNED32`, ro, default `0x0000_0000`
-        pub predefined_error_field: [u32; 8],
         /// 1005h `COB-ID SYNC message`, `UNSIGNED32`, rw, default `0x0000_0080`
         pub cob_id_sync_message: u32,
         /// 1010sub1 to 1010sub4 `Store parameters`, `UNSIGNED32`, rw, default `0x0000_0001`
@@ -57,14 +54,62 @@ pub mod wv58mr {
         /// * `[0]`: `Mapped object 1`, default `0x6004_0020`
         /// * `[1]`: `Mapped object 2`, default `0x6030_0110`
         pub tpdo_2_mapping: [u32; 2],
-        /// 2001h `Application offset`, `INTEGER32`, rw, `-67_108_864` to `67_108_863`, default `0`
-        pub application_offset: i32,
-        /// 5000h `CAN bus error diagnosis`, `UNSIGNED32`, ro, default `0`
-        pub can_bus_error_diagnosis: u32,
         /// 6001h `Measuring units per revolution`, `UNSIGNED32`, rw, `1` to `65535`, default `16384`
         pub measuring_units_per_revolution: u32,
         /// 6002h `Total measuring range`, `UNSIGNED32`, rw, default `67_108_864`
         pub total_measuring_range: u32,
+        /// 6501h `Singleturn resolution`, `UNSIGNED32`, ro, default `16384`
+        pub singleturn_resolution: u32,
+        /// 6507h `Profile and software version`, `UNSIGNED32`, ro, default `16_777_986`
+        pub profile_and_software_version: u32,
+        /// 6508h `Operating time`, `UNSIGNED32`, ro, default `4_294_967_295`
+        pub operating_time: u32,
+        /// 650Asub1 to 650Asub3 `Module identification`, `INTEGER32`, ro
+        ///
+        /// * `[0]`: `Offset value`, default `0`
+        /// * `[1]`: `Minimum position`, default `0`
+        /// * `[2]`: `Maximum position`, default `67_108_863`
+        pub module_identification: [i32; 3],
+        /// 650Eh `Device functionality`, `UNSIGNED32`, ro, default `2`
+        pub device_functionality: u32,
+        /// 6000h `Operating parameters`, `UNSIGNED16`, rw, default `4`
+        pub operating_parameters: u16,
+        /// 6031sub2 `Speed parameters`, `Speed integration time`, `UNSIGNED16`, ro, default `100`
+        pub speed_parameters_speed_integration_time: u16,
+        /// 6031sub3 `Speed parameters`, `Speed multiplier`, `UNSIGNED16`, rw, default `1`
+        pub speed_parameters_speed_multiplier: u16,
+        /// 6031sub4 `Speed parameters`, `Speed divisor`, `UNSIGNED16`, rw, default `1`
+        pub speed_parameters_speed_divisor: u16,
+        /// 6500h `Operating status`, `UNSIGNED16`, ro, default `4`
+        pub operating_status: u16,
+        /// 6502h `Number of distinguishable revolutions`, `UNSIGNED16`, ro, default `4096`
+        pub number_of_distinguishable_revolutions: u16,
+        /// 6504h `Supported alarms`, `UNSIGNED16`, ro, default `12289`
+        pub supported_alarms: u16,
+        /// 6506h `Supported warnings`, `UNSIGNED16`, ro, default `1`
+        pub supported_warnings: u16,
+        /// 1800sub2 `TPDO 1 communication`, `Transmission type`, `UNSIGNED8`, rw, default `254`
+        pub tpdo_1_communication_transmission_type: u8,
+        /// 1801sub2 `TPDO 2 communication`, `Transmission type`, `UNSIGNED8`, rw, default `1`
+        pub tpdo_2_communication_transmission_type: u8,
+        /// 5F0Asub1 to 5F0Asub2 `Node-ID and baud rate`, `UNSIGNED8`, rw
+        ///
+        /// * `[0]`: `Node-ID`, `1` to `127`, default `1`
+        /// * `[1]`: `Baud rate`, `1` to `7`, default `5`
+        pub node_id_and_baud_rate: [u8; 2],
+        /// 6031sub1 `Speed parameters`, `Speed source selector`, `UNSIGNED8`, rw, default `2`
+        pub speed_parameters_speed_source_selector: u8,
+        /// 650Dh `Absolute accuracy`, `UNSIGNED8`, ro, default `8`
+        pub absolute_accuracy: u8,
+        _gap: [u8; 2],
+        /// 1002h `Manufacturer status register`, `UNSIGNED32`, ro, default `0x0000_0000`
+        pub manufacturer_status_register: u32,
+        /// 1003sub1 to 1003sub8 `Predefined error field`, `UNSIGNED32`, ro, default `0x0000_0000`
+        pub predefined_error_field: [u32; 8],
+        /// 2001h `Application offset`, `INTEGER32`, rw, `-67_108_864` to `67_108_863`, default `0`
+        pub application_offset: i32,
+        /// 5000h `CAN bus error diagnosis`, `UNSIGNED32`, ro, default `0`
+        pub can_bus_error_diagnosis: u32,
         /// 6003h `Preset value`, `UNSIGNED32`, rw, `0` to `268_431_359`, default `0`
         pub preset_value: u32,
         /// 6004h `Position value`, `UNSIGNED32`, ro, default `0`, PDO-mappable
@@ -75,24 +120,10 @@ pub mod wv58mr {
         pub work_area_low_limit: [i32; 2],
         /// 6402sub1 to 6402sub2 `Work area high limit`, `INTEGER32`, rw, `0` to `268_431_359`, default `0`
         pub work_area_high_limit: [i32; 2],
-        /// 6501h `Singleturn resolution`, `UNSIGNED32`, ro, default `16384`
-        pub singleturn_resolution: u32,
-        /// 6507h `Profile and software version`, `UNSIGNED32`, ro, default `16_777_986`
-        pub profile_and_software_version: u32,
-        /// 6508h `Operating time`, `UNSIGNED32`, ro, default `4_294_967_295`
-        pub operating_time: u32,
         /// 6509h `Offset value`, `INTEGER32`, ro, default `0`
         pub offset_value: i32,
-        /// 650Asub1 to 650Asub3 `Module identification`, `INTEGER32`, ro
-        ///
-        /// * `[0]`: `Offset value`, default `0`
-        /// * `[1]`: `Minimum position`, default `0`
-        /// * `[2]`: `Maximum position`, default `67_108_863`
-        pub module_identification: [i32; 3],
         /// 650Bh `Encoder serial number`, `UNSIGNED32`, ro, default `0`
         pub encoder_serial_number: u32,
-        /// 650Eh `Device functionality`, `UNSIGNED32`, ro, default `2`
-        pub device_functionality: u32,
         /// 100Ch `Guard time`, `UNSIGNED16` in ms, rw, default `0`
         pub guard_time: u16,
         /// 1017h `Producer heartbeat time`, `UNSIGNED16` in ms, rw, default `0`
@@ -109,53 +140,25 @@ pub mod wv58mr {
         pub limit_speed_low: i16,
         /// 2004h `Limit speed high`, `INTEGER16`, rw, `-32768` to `32767`, default `0`
         pub limit_speed_high: i16,
-        /// 6000h `Operating parameters`, `UNSIGNED16`, rw, default `4`
-        pub operating_parameters: u16,
         /// 6030sub1 `Speed value`, `INTEGER16`, ro, default `0`, PDO-mappable
         pub speed_value: [i16; 1],
-        /// 6031sub2 `Speed parameters`, `Speed integration time`, `UNSIGNED16`, ro, default `100`
-        pub speed_parameters_speed_integration_time: u16,
-        /// 6031sub3 `Speed parameters`, `Speed multiplier`, `UNSIGNED16`, rw, default `1`
-        pub speed_parameters_speed_multiplier: u16,
-        /// 6031sub4 `Speed parameters`, `Speed divisor`, `UNSIGNED16`, rw, default `1`
-        pub speed_parameters_speed_divisor: u16,
         /// 6200h `Cycle timer`, `UNSIGNED16`, rw, default `0`
         pub cycle_timer: u16,
-        /// 6500h `Operating status`, `UNSIGNED16`, ro, default `4`
-        pub operating_status: u16,
-        /// 6502h `Number of distinguishable revolutions`, `UNSIGNED16`, ro, default `4096`
-        pub number_of_distinguishable_revolutions: u16,
         /// 6503h `Alarms`, `UNSIGNED16`, ro, default `0`
         pub alarms: u16,
-        /// 6504h `Supported alarms`, `UNSIGNED16`, ro, default `12289`
-        pub supported_alarms: u16,
         /// 6505h `Warnings`, `UNSIGNED16`, ro, default `0`
         pub warnings: u16,
-        /// 6506h `Supported warnings`, `UNSIGNED16`, ro, default `1`
-        pub supported_warnings: u16,
         /// 1001h `Error register`, `UNSIGNED8`, ro, default `0`
         pub error_register: u8,
         /// 1003sub0 `Predefined error field`, `Number of errors`, `UNSIGNED8`, rw, default `0`
         pub predefined_error_field_number_of_errors: u8,
         /// 100Dh `Life time factor`, `UNSIGNED8`, rw, default `0`
         pub life_time_factor: u8,
-        /// 1800sub2 `TPDO 1 communication`, `Transmission type`, `UNSIGNED8`, rw, default `254`
-        pub tpdo_1_communication_transmission_type: u8,
-        /// 1801sub2 `TPDO 2 communication`, `Transmission type`, `UNSIGNED8`, rw, default `1`
-        pub tpdo_2_communication_transmission_type: u8,
         /// 2002h `Calibrate encoder value`, `UNSIGNED8`, wo, default `0`
         pub calibrate_encoder_value: u8,
-        /// 5F0Asub1 to 5F0Asub2 `Node-ID and baud rate`, `UNSIGNED8`, rw
-        ///
-        /// * `[0]`: `Node-ID`, `1` to `127`, default `1`
-        /// * `[1]`: `Baud rate`, `1` to `7`, default `5`
-        pub node_id_and_baud_rate: [u8; 2],
-        /// 6031sub1 `Speed parameters`, `Speed source selector`, `UNSIGNED8`, rw, default `2`
-        pub speed_parameters_speed_source_selector: u8,
         /// 6400sub1 to 6400sub2 `Area state register`, `UNSIGNED8`, ro, default `0`
         pub area_state_register: [u8; 2],
-        /// 650Dh `Absolute accuracy`, `UNSIGNED8`, ro, default `8`
-        pub absolute_accuracy: u8,
+        _padding: [u8; 2],
     }
     impl Dictionary {
         /// 1000h `Device type`, `UNSIGNED32`, ro
@@ -204,8 +207,6 @@ pub mod wv58mr {
         pub const MODULE_IDENTIFICATION_HIGHEST_SUB_INDEX_SUPPORTED: u8 = 3;
         /// The values after power-on, with 0 for `$NODEID`.
         pub const DEFAULTS: Self = Self {
-            manufacturer_status_register: 0x0000_0000,
-            predefined_error_field: [0x0000_0000; 8],
             cob_id_sync_message: 0x0000_0080,
             store_parameters: [0x0000_0001; 4],
             restore_default_parameters: [0x0000_0001; 4],
@@ -217,22 +218,38 @@ pub mod wv58mr {
             tpdo_2_communication_cob_id: 0x0000_0280,
             tpdo_1_mapping: [0x6004_0020, 0x6030_0110],
             tpdo_2_mapping: [0x6004_0020, 0x6030_0110],
-            application_offset: 0,
-            can_bus_error_diagnosis: 0,
             measuring_units_per_revolution: 16384,
             total_measuring_range: 67_108_864,
+            singleturn_resolution: 16384,
+            profile_and_software_version: 16_777_986,
+            operating_time: 4_294_967_295,
+            module_identification: [0, 0, 67_108_863],
+            device_functionality: 2,
+            operating_parameters: 4,
+            speed_parameters_speed_integration_time: 100,
+            speed_parameters_speed_multiplier: 1,
+            speed_parameters_speed_divisor: 1,
+            operating_status: 4,
+            number_of_distinguishable_revolutions: 4096,
+            supported_alarms: 12289,
+            supported_warnings: 1,
+            tpdo_1_communication_transmission_type: 254,
+            tpdo_2_communication_transmission_type: 1,
+            node_id_and_baud_rate: [1, 5],
+            speed_parameters_speed_source_selector: 2,
+            absolute_accuracy: 8,
+            _gap: [0; 2],
+            manufacturer_status_register: 0x0000_0000,
+            predefined_error_field: [0x0000_0000; 8],
+            application_offset: 0,
+            can_bus_error_diagnosis: 0,
             preset_value: 0,
             position_value: 0,
             position_raw_value: 0,
             work_area_low_limit: [0, 0],
             work_area_high_limit: [0, 0],
-            singleturn_resolution: 16384,
-            profile_and_software_version: 16_777_986,
-            operating_time: 4_294_967_295,
             offset_value: 0,
-            module_identification: [0, 0, 67_108_863],
             encoder_serial_number: 0,
-            device_functionality: 2,
             guard_time: 0,
             producer_heartbeat_time: 0,
             tpdo_1_communication_inhibit_time: 0,
@@ -241,28 +258,16 @@ pub mod wv58mr {
             tpdo_2_communication_event_timer: 0,
             limit_speed_low: 0,
             limit_speed_high: 0,
-            operating_parameters: 4,
             speed_value: [0],
-            speed_parameters_speed_integration_time: 100,
-            speed_parameters_speed_multiplier: 1,
-            speed_parameters_speed_divisor: 1,
             cycle_timer: 0,
-            operating_status: 4,
-            number_of_distinguishable_revolutions: 4096,
             alarms: 0,
-            supported_alarms: 12289,
             warnings: 0,
-            supported_warnings: 1,
             error_register: 0,
             predefined_error_field_number_of_errors: 0,
             life_time_factor: 0,
-            tpdo_1_communication_transmission_type: 254,
-            tpdo_2_communication_transmission_type: 1,
             calibrate_encoder_value: 0,
-            node_id_and_baud_rate: [1, 5],
-            speed_parameters_speed_source_selector: 2,
             area_state_register: [0, 0],
-            absolute_accuracy: 8,
+            _padding: [0; 2],
         };
         /// The values after power-on of the node `node_id`.
         #[must_use]
@@ -307,7 +312,7 @@ pub mod wv58mr {
         #[must_use]
         pub const fn with_storage(handlers: H, storage: S) -> Self {
             Self {
-                od: Dictionary::DEFAULTS,
+                od: bytemuck::must_cast(resized::<SIZE>(POWER_ON)),
                 handlers,
                 storage,
             }
@@ -336,7 +341,7 @@ pub mod wv58mr {
         }
         #[inline]
         fn defaults(&self) -> &[u8] {
-            bytemuck::bytes_of(&Dictionary::DEFAULTS)
+            POWER_ON
         }
         #[inline]
         fn buffer(&self) -> Self::Buffer {
@@ -373,6 +378,13 @@ pub mod wv58mr {
             Ok(())
         }
     }
+    /// Bytes of the values.
+    const SIZE: usize = core::mem::size_of::<Dictionary>();
+    /// The values after power-on, up to the last byte that is not 0.
+    const POWER_ON: &[u8] = {
+        const ALL: [u8; SIZE] = bytemuck::must_cast(Dictionary::DEFAULTS);
+        &resized::<{ written(&ALL) }>(&ALL)
+    };
 
     const TABLE: Table<'static> = Table {
         entries: &place::<107>(&ROWS, &SEEDS),

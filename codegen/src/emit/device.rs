@@ -22,8 +22,26 @@ pub(super) fn declaration(plan: &Plan<'_>) -> Vec<SynItem> {
     let reads = Dispatch::new(quote!(before_read), plan.reads().map(read_arm));
     let writes = Dispatch::new(quote!(before_write), plan.writes().map(write_arm));
     items.push(implementation(plan, &reads, &writes));
+    items.extend(image());
     items.extend(overflow(plan, &reads, &writes));
     items
+}
+
+/// The values after power-on, as flash holds them.
+fn image() -> [SynItem; 2] {
+    [
+        parse_quote! {
+            /// Bytes of the values.
+            const SIZE: usize = core::mem::size_of::<Dictionary>();
+        },
+        parse_quote! {
+            /// The values after power-on, up to the last byte that is not 0.
+            const POWER_ON: &[u8] = {
+                const ALL: [u8; SIZE] = bytemuck::must_cast(Dictionary::DEFAULTS);
+                &resized::<{ written(&ALL) }>(&ALL)
+            };
+        },
+    ]
 }
 
 /// The struct of a device that stores nothing.
@@ -43,7 +61,7 @@ fn forgetful() -> Vec<SynItem> {
             /// The device after power-on; the node gives it its node-ID.
             #[must_use]
             pub const fn new(handlers: H) -> Self {
-                Self { od: Dictionary::DEFAULTS, handlers }
+                Self { od: bytemuck::must_cast(resized::<SIZE>(POWER_ON)), handlers }
             }
         }
     };
@@ -78,7 +96,7 @@ fn storing() -> Vec<SynItem> {
             /// The device after power-on; the node gives it its node-ID, and what is stored.
             #[must_use]
             pub const fn with_storage(handlers: H, storage: S) -> Self {
-                Self { od: Dictionary::DEFAULTS, handlers, storage }
+                Self { od: bytemuck::must_cast(resized::<SIZE>(POWER_ON)), handlers, storage }
             }
         }
     };
@@ -120,7 +138,7 @@ fn implementation(plan: &Plan<'_>, reads: &Dispatch, writes: &Dispatch) -> SynIt
             fn values_mut(&mut self) -> &mut [u8] { bytemuck::bytes_of_mut(&mut self.od) }
 
             #[inline]
-            fn defaults(&self) -> &[u8] { bytemuck::bytes_of(&Dictionary::DEFAULTS) }
+            fn defaults(&self) -> &[u8] { POWER_ON }
 
             #[inline]
             fn buffer(&self) -> Self::Buffer { [0; #buffer] }

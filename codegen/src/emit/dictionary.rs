@@ -12,7 +12,7 @@ use super::{
 };
 use crate::{
     name::field_ident,
-    plan::{Item, Plan},
+    plan::{Item, Padding, Plan},
 };
 use lexican_eds::ir::Value;
 
@@ -22,15 +22,14 @@ const FORMULAS: usize = 25;
 /// The struct.
 pub(super) fn declaration(plan: &Plan<'_>) -> SynItem {
     let mut item: syn::ItemStruct = parse_quote! {
-        /// The values of the dictionary, the widest first, so that nothing stands between them.
+        /// The values of the dictionary: first those that are not 0 after power-on, and of both kinds the widest first.
         #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
         #[bytemuck(crate = "::lexican_runtime::bytemuck")]
         #[repr(C)]
         pub struct Dictionary {}
     };
     if let Fields::Named(fields) = &mut item.fields {
-        fields.named.extend(plan.fields().into_iter().map(declared));
-        fields.named.extend(declared_padding(plan));
+        fields.named.extend(with_padding(plan, declared, declared_padding));
     }
     SynItem::Struct(item)
 }
@@ -45,14 +44,20 @@ fn declared(item: &Item<'_>) -> Field {
     )
 }
 
-fn declared_padding(plan: &Plan<'_>) -> Option<Field> {
-    let length = padding(plan)?;
-    Some(field(
-        Vec::new(),
-        Visibility::Inherited,
-        "_padding",
-        parse_quote!([u8; #length]),
-    ))
+fn declared_padding(name: &str, length: &Expr) -> Field {
+    field(Vec::new(), Visibility::Inherited, name, parse_quote!([u8; #length]))
+}
+
+/// Something for each field, and for the bytes between and behind them.
+fn with_padding<T>(plan: &Plan<'_>, of: fn(&Item<'_>) -> T, padding: fn(&str, &Expr) -> T) -> Vec<T> {
+    let Padding { before, gap, end } = plan.padding();
+    let fill = |name, bytes: usize| (bytes > 0).then(|| padding(name, &number(&bytes.to_string())));
+    let mut all: Vec<T> = plan.fields().into_iter().map(of).collect();
+    let rest = all.split_off(before);
+    all.extend(fill("_gap", gap));
+    all.extend(rest);
+    all.extend(fill("_padding", end));
+    all
 }
 
 /// The constants and the constructor.
@@ -73,10 +78,9 @@ fn constant(item: &Item<'_>) -> ImplItem {
 
 fn defaults(plan: &Plan<'_>) -> ImplItem {
     let mut value: syn::ExprStruct = parse_quote!(Self {});
-    value.fields.extend(plan.fields().into_iter().map(initialized));
-    if let Some(length) = padding(plan) {
-        value.fields.push(field_value("_padding", parse_quote!([0; #length])));
-    }
+    value
+        .fields
+        .extend(with_padding(plan, initialized, initialized_padding));
     let mut defaults: syn::ImplItemConst = parse_quote! {
         /// The values after power-on, with 0 for `$NODEID`.
         pub const DEFAULTS: Self = Self {};
@@ -90,11 +94,8 @@ fn initialized(item: &Item<'_>) -> FieldValue {
     field_value(&field_ident(&item.name), literal::field_value(item))
 }
 
-/// The length of the padding; `None` where none is needed.
-fn padding(plan: &Plan<'_>) -> Option<Expr> {
-    Some(plan.padding())
-        .filter(|&bytes| bytes > 0)
-        .map(|bytes| number(&bytes.to_string()))
+fn initialized_padding(name: &str, length: &Expr) -> FieldValue {
+    field_value(name, parse_quote!([0; #length]))
 }
 
 /// `new`, and what it calls when there are many formulas.

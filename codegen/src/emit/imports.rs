@@ -39,7 +39,9 @@ fn runtime_names(plan: &Plan<'_>) -> Vec<&'static str> {
         (true, "Value"),
         (kinds(|kind| matches!(kind, Kind::Visible(_))), "VisibleString"),
         (true, "place"),
+        (true, "resized"),
         (plan.reads().any(|item| item.is_array), "set_element"),
+        (true, "written"),
     ];
     names
         .into_iter()

@@ -90,6 +90,21 @@ impl<'a> Item<'a> {
         self.kind.size() * self.entries.len()
     }
 
+    /// Whether all its bytes are 0 after power-on.
+    pub(crate) fn is_zero(&self) -> bool {
+        let bytes = |entry: &Entry| {
+            entry
+                .default
+                .as_ref()
+                .map(|value| value.to_bytes(entry.data_type, None))
+        };
+        // A string has its length beside its bytes.
+        let is_zero = |bytes: Vec<u8>| {
+            bytes.iter().all(|&byte| byte == 0) && (self.kind.capacity().is_none() || bytes.is_empty())
+        };
+        self.entries.iter().filter_map(bytes).all(is_zero)
+    }
+
     fn named(&self) -> Named<'a> {
         let alone = self.is_array || self.object.entries.len() == 1 && self.address().sub == 0;
         Named {

@@ -10,6 +10,8 @@ mod row;
 mod seeds;
 mod storage;
 
+use std::cmp::Reverse;
+
 use lexican_eds::ir::{Address, Dictionary};
 
 pub(crate) use item::Item;
@@ -40,6 +42,17 @@ pub(crate) struct Plan<'a> {
     pub(crate) seeds: Seeds,
 }
 
+/// What the compiler would put between fields, had they no names.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Padding {
+    /// The number of the field that the gap is before.
+    pub(crate) before: usize,
+    /// Bytes of the gap.
+    pub(crate) gap: usize,
+    /// Bytes behind the last field.
+    pub(crate) end: usize,
+}
+
 /// What the SDO server's buffer holds at least: the widest number, which may be sent in segments too.
 const WIDEST_NUMBER: usize = 8;
 
@@ -61,14 +74,15 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// The items that are fields, in the struct's order: the widest first, so that no padding is needed between them.
+    /// The items that are fields, in the struct's order: those that are 0 after power-on last, so that flash need not hold
+    /// them; of both the widest first, so that no padding is needed between them.
     pub(crate) fn fields(&self) -> Vec<&Item<'a>> {
         let mut fields: Vec<&Item<'_>> = self
             .items
             .iter()
             .filter(|item| item.storage == Storage::Field)
             .collect();
-        fields.sort_by_key(|item| std::cmp::Reverse(item.kind.alignment()));
+        fields.sort_by_cached_key(|item| (item.is_zero(), Reverse(item.kind.alignment())));
         fields
     }
 
@@ -101,17 +115,25 @@ impl<'a> Plan<'a> {
         items.filter(|item| !item.writes.is_empty())
     }
 
-    /// Bytes that fill the struct up to a multiple of its alignment.
-    pub(crate) fn padding(&self) -> usize {
+    /// Where the struct needs padding, and how many bytes: before the fields that are 0, and at its end.
+    pub(crate) fn padding(&self) -> Padding {
         let fields = self.fields();
-        let size: usize = fields.iter().map(|item| item.size()).sum();
-        let alignment = fields.iter().map(|item| item.kind.alignment()).max().unwrap_or(1);
-        size.next_multiple_of(alignment) - size
+        let (values, zeros) = fields.split_at(fields.partition_point(|item| !item.is_zero()));
+        let size = |fields: &[&Item<'_>]| fields.iter().map(|item| item.size()).sum::<usize>();
+        let alignment = |fields: &[&Item<'_>]| fields.iter().map(|item| item.kind.alignment()).max().unwrap_or(1);
+        let gap = size(values).next_multiple_of(alignment(zeros)) - size(values);
+        let whole = size(&fields) + gap;
+        Padding {
+            before: values.len(),
+            gap,
+            end: whole.next_multiple_of(alignment(&fields)) - whole,
+        }
     }
 
     /// Bytes of the struct.
     pub(crate) fn size(&self) -> usize {
-        self.fields().iter().map(|item| item.size()).sum::<usize>() + self.padding()
+        let Padding { gap, end, .. } = self.padding();
+        self.fields().iter().map(|item| item.size()).sum::<usize>() + gap + end
     }
 
     /// The PDOs that there are objects for.

@@ -40,7 +40,8 @@ pub trait Device {
     /// The bytes of the values, to write.
     fn values_mut(&mut self) -> &mut [u8];
 
-    /// The bytes of the values after power-on, laid out as [`Device::values`], with 0 for `$NODEID`.
+    /// The bytes of the values after power-on, laid out as [`Device::values`], with 0 for `$NODEID`. Those that are not there
+    /// are 0.
     fn defaults(&self) -> &[u8];
 
     /// An empty buffer.

@@ -11,6 +11,7 @@
 mod data_type;
 mod device;
 mod entry;
+mod image;
 mod limits;
 mod number_set;
 mod part;
@@ -27,6 +28,7 @@ mod write;
 pub use data_type::DataType;
 pub use device::{Device, Reset};
 pub use entry::{Access, Entry, Extra};
+pub use image::{resized, written};
 pub use number_set::NumberSet;
 pub use part::{copy_part, Part};
 pub use read::{configured, load, number, parameter, read, readable};
