@@ -163,12 +163,14 @@ pub mod servers {
             Ok(())
         }
     }
-    /// Bytes of the values.
-    const SIZE: usize = core::mem::size_of::<Dictionary>();
+    /// Bytes of the values; the compiler refuses any other number.
+    const SIZE: usize = 68;
     /// The values after power-on, up to the last byte that is not 0.
     const POWER_ON: &[u8] = {
-        const ALL: [u8; SIZE] = bytemuck::must_cast(Dictionary::DEFAULTS);
-        &resized::<{ written(&ALL) }>(&ALL)
+        const fn all() -> [u8; SIZE] {
+            bytemuck::must_cast(Dictionary::DEFAULTS)
+        }
+        &resized::<{ written(&all()) }>(&all())
     };
 
     const TABLE: Table<'static> = Table {

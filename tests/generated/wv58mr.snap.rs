@@ -378,12 +378,14 @@ pub mod wv58mr {
             Ok(())
         }
     }
-    /// Bytes of the values.
-    const SIZE: usize = core::mem::size_of::<Dictionary>();
+    /// Bytes of the values; the compiler refuses any other number.
+    const SIZE: usize = 248;
     /// The values after power-on, up to the last byte that is not 0.
     const POWER_ON: &[u8] = {
-        const ALL: [u8; SIZE] = bytemuck::must_cast(Dictionary::DEFAULTS);
-        &resized::<{ written(&ALL) }>(&ALL)
+        const fn all() -> [u8; SIZE] {
+            bytemuck::must_cast(Dictionary::DEFAULTS)
+        }
+        &resized::<{ written(&all()) }>(&all())
     };
 
     const TABLE: Table<'static> = Table {

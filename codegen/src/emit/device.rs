@@ -22,23 +22,24 @@ pub(super) fn declaration(plan: &Plan<'_>) -> Vec<SynItem> {
     let reads = Dispatch::new(quote!(before_read), plan.reads().map(read_arm));
     let writes = Dispatch::new(quote!(before_write), plan.writes().map(write_arm));
     items.push(implementation(plan, &reads, &writes));
-    items.extend(image());
+    items.extend(image(plan));
     items.extend(overflow(plan, &reads, &writes));
     items
 }
 
 /// The values after power-on, as flash holds them.
-fn image() -> [SynItem; 2] {
+fn image(plan: &Plan<'_>) -> [SynItem; 2] {
+    let size = number(&plan.size().to_string());
     [
         parse_quote! {
-            /// Bytes of the values.
-            const SIZE: usize = core::mem::size_of::<Dictionary>();
+            /// Bytes of the values; the compiler refuses any other number.
+            const SIZE: usize = #size;
         },
         parse_quote! {
             /// The values after power-on, up to the last byte that is not 0.
             const POWER_ON: &[u8] = {
-                const ALL: [u8; SIZE] = bytemuck::must_cast(Dictionary::DEFAULTS);
-                &resized::<{ written(&ALL) }>(&ALL)
+                const fn all() -> [u8; SIZE] { bytemuck::must_cast(Dictionary::DEFAULTS) }
+                &resized::<{ written(&all()) }>(&all())
             };
         },
     ]
