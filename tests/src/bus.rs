@@ -11,7 +11,7 @@
 
 use std::{collections::VecDeque, marker::PhantomData};
 
-use lexican_runtime::{Device, Frame, Instant, Node, NodeId};
+use lexican_runtime::{AbortCode, Address, Device, Frame, Instant, Node, NodeId, od};
 
 use crate::line;
 
@@ -25,6 +25,13 @@ pub trait Slave<D: Device> {
     fn poll_at(&self) -> Option<Instant>;
     /// The node in it.
     fn node(&mut self) -> &mut Node<D>;
+    /// Lets the application have this value, as on the bus.
+    ///
+    /// # Errors
+    /// The abort code of [`od::set`].
+    fn set(&mut self, address: Address, data: &[u8]) -> Result<(), AbortCode> {
+        od::set(self.node().device_mut(), address, data)
+    }
 }
 
 impl<D: Device> Slave<D> for Node<D> {

@@ -15,7 +15,7 @@
 //! Each block is a dialogue with a node that has just booted, in PRE-OPERATIONAL. The node sends nothing that the block
 //! does not say: silence needs no line. Its node-ID is that of the first frame in the block that carries one.
 
-use lexican_runtime::{Address, Device, od};
+use lexican_runtime::{Address, Device};
 
 use crate::{
     bus::{Bus, Slave},
@@ -125,7 +125,7 @@ impl Dialogue {
         for step in &self.steps {
             match step {
                 Step::Set(address, data) => {
-                    let set = od::set(bus.node().device_mut(), *address, data);
+                    let set = bus.slave().set(*address, data);
                     set.unwrap_or_else(|code| panic!("! {address}: {code:?}"));
                 }
                 Step::Send(frame) => _ = bus.silence().send(frame),

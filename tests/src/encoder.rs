@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, MutexGuard};
 
 use lexican_runtime::{
-    Device, Frame, Instant, Node,
+    AbortCode, Address, Device, Frame, Instant, Node, NodeId, od,
     profile::encoder::{Faults, Reading, Sensor, Shaft},
     storage::Storage,
 };
@@ -119,6 +119,32 @@ where
     fn node(&mut self) -> &mut Node<Wdga<M>> {
         self.node_mut()
     }
+
+    /// A shaft cannot be told where to be; a preset can. What is measured over time stays until the integration time is over.
+    fn set(&mut self, address: Address, data: &[u8]) -> Result<(), AbortCode> {
+        match address.index {
+            0x6004 => self.node_mut().write(Address::new(0x6003, 0), data),
+            0x6008 => self.node_mut().write(Address::new(0x6009, 0), data),
+            _ => od::set(self.node_mut().device_mut(), address, data),
+        }
+    }
+}
+
+/// A multiturn WDGA that has booted with this node-ID, which it was configured to have before.
+///
+/// # Panics
+/// When the node-ID is not 1 to 127, or it says something else.
+#[must_use]
+pub fn booted_wdga<M: Storage>(node_id: u8, storage: M) -> WdgaBus<M> {
+    let (mut bus, _) = wdga(Variant::Multiturn, storage);
+    bus.advance(0).expect("77F#00");
+    if node_id != 0x7F {
+        let own = NodeId::new(node_id).expect("a node-ID, 1 to 127");
+        bus.node().configure_lss(own, None).expect("a memory that works");
+        bus.send("000#8100")
+            .expect(&format!("{:03X}#00", 0x700 + u16::from(node_id)));
+    }
+    bus
 }
 
 /// A WDGA that has found the bit rate of its bus, and has not booted yet; and its shaft.

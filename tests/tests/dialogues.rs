@@ -1,5 +1,5 @@
 //! Every telegram with SDO bytes that the encoders' manuals print, held with the devices that are generated from their
-//! EDS files, and with devices simulated from the same.
+//! EDS files, with devices simulated from the same, and with the virtual WDGA.
 
 use std::{fs, path::Path};
 
@@ -7,15 +7,19 @@ use lexican_runtime::Device;
 use lexican_tests::{
     bus::Bus,
     dialogue::{self, Summary},
+    encoder,
     generated::{wdga, wv58mr},
     memory::Memory,
     simulated::Simulated,
 };
 
 fn hold<D: Device>(name: &str, device: impl Fn() -> D) -> Summary {
+    dialogue::hold(&dialogues(name), |node_id| Bus::booted(device(), node_id))
+}
+
+fn dialogues(name: &str) -> String {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("dialogues/{name}.txt"));
-    let text = fs::read_to_string(file).expect("the dialogues");
-    dialogue::hold(&text, |node_id| Bus::booted(device(), node_id))
+    fs::read_to_string(file).expect("the dialogues")
 }
 
 fn simulated(name: &str) -> Simulated {
@@ -32,6 +36,9 @@ fn the_telegrams_of_the_wdga() {
         all
     );
     assert_eq!(hold("wdga", || simulated("wdga")), all);
+    let text = dialogues("wdga");
+    let virtual_encoder = |node_id| encoder::booted_wdga(node_id, Memory::flash(4096));
+    assert_eq!(dialogue::hold(&text, virtual_encoder), all);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use lexican_runtime::{
     AbortCode,
-    profile::encoder::{Area, Cam, Cams, Parameters, Position, Reading, Shaft, area, speed},
+    profile::encoder::{Area, Cam, Cams, Filter, Parameters, Position, Reading, Shaft, area, speed, way},
 };
 use proptest::prelude::*;
 
@@ -45,6 +45,53 @@ fn number(most: u64) -> impl Strategy<Value = u64> {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(3000))]
+
+    /// The shorter way leads there, and there is none shorter.
+    #[test]
+    fn the_shorter_way_leads_there(range in number(u64::MAX), from in any::<u64>(), to in any::<u64>()) {
+        let (from, to) = (from % range, to % range);
+        let way = i128::from(way(from, to, range));
+        let [from, to, range] = [from, to, range].map(i128::from);
+        // The longest ways do not fit into 64 bits, and are one short.
+        if way < i128::from(i64::MAX) {
+            prop_assert_eq!((from + way).rem_euclid(range), to);
+        }
+        prop_assert!(2 * way.abs() <= range, "{} of {}", way, range);
+        prop_assert!(2 * way > -range, "half of the circle is forwards");
+    }
+
+    /// A filtered position is that of a filter on an endless line, in fractions of 1 ÷ 256: so it never overshoots, never
+    /// jumps at the end of the range, and ends where the shaft stands.
+    #[test]
+    fn a_filter_goes_its_part_of_the_way(
+        range in number(1 << 53),
+        start in any::<u64>(),
+        moves in proptest::collection::vec(-0.4f64..0.4, 1..20),
+        strength in 0u8..=7,
+    ) {
+        let mut filter = Filter::new();
+        filter.update(start % range, range, strength);
+        let mut position = i128::from(start % range);
+        let mut place = position * 256;
+        let circle = i128::from(range);
+        for part in moves {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "any move will do")]
+            let steps = (part * range as f64) as i128;
+            // No further than half of the circle from where the filter is: there it would turn round.
+            if 2 * ((position + steps) * 256 - place).abs() < (circle - 2) * 256 {
+                position += steps;
+            }
+            place += (position * 256 - place) >> strength;
+            let expected = (place + 128).div_euclid(256).rem_euclid(circle);
+            let on_circle = u64::try_from(position.rem_euclid(circle)).expect("on the circle");
+            prop_assert_eq!(i128::from(filter.update(on_circle, range, strength)), expected);
+        }
+        let on_circle = u64::try_from(position.rem_euclid(circle)).expect("on the circle");
+        for _ in 0..6000 {
+            filter.update(on_circle, range, strength);
+        }
+        prop_assert_eq!(filter.update(on_circle, range, strength), on_circle);
+    }
 
     /// However it turns, over the end of its revolutions too, the position is that of the model.
     #[test]

@@ -10,6 +10,7 @@ use lexican_runtime::{
 
 use crate::{
     Label,
+    guard::in_preoperational,
     label::Variant,
     measurement::{Measurement, OPERATING_PARAMETERS, check, default_range},
     wdga::{Dictionary, Handlers},
@@ -62,6 +63,8 @@ impl Application {
         od.manufacturer_software_version = VisibleString::new(label.software_version.as_bytes());
         od.module_identification_maximum_position = i32::MAX;
         od.module_identification_minimum_position = 0;
+        // No temperature was measured yet.
+        (od.temperature_minimum, od.temperature_maximum) = (i16::MAX, i16::MIN);
     }
 
     /// The node starts, or was reset: all that is not stored is as after power-on.
@@ -169,5 +172,59 @@ impl Handlers for Application {
 
     fn write_high_precision_preset_value(&mut self, od: &mut Dictionary, value: u64) -> Result<(), AbortCode> {
         self.measurement.preset_precise(od, value)
+    }
+
+    // Chapter 8.5.1: the PDOs' parameters.
+    in_preoperational! {
+        write_tpdo_1_communication_cob_id: u32;
+        write_tpdo_1_communication_transmission_type: u8;
+        write_tpdo_1_communication_event_timer: u16;
+        write_tpdo_1_mapping_number_of_mapped_objects: u8;
+        write_tpdo_1_mapping: [u32];
+        write_tpdo_2_communication_cob_id: u32;
+        write_tpdo_2_communication_transmission_type: u8;
+        write_tpdo_2_communication_event_timer: u16;
+        write_tpdo_2_mapping_number_of_mapped_objects: u8;
+        write_tpdo_2_mapping: [u32];
+        write_tpdo_3_communication_cob_id: u32;
+        write_tpdo_3_communication_transmission_type: u8;
+        write_tpdo_3_communication_event_timer: u16;
+        write_tpdo_3_mapping_number_of_mapped_objects: u8;
+        write_tpdo_3_mapping: [u32];
+        write_tpdo_4_communication_cob_id: u32;
+        write_tpdo_4_communication_transmission_type: u8;
+        write_tpdo_4_communication_event_timer: u16;
+        write_tpdo_4_mapping_number_of_mapped_objects: u8;
+        write_tpdo_4_mapping: [u32];
+    }
+
+    // Chapter 8.11: the cams.
+    in_preoperational! {
+        write_cam_enable_register: [u8];
+        write_cam_polarity_register: [u8];
+        write_cam_1_low_limit: [i32];
+        write_cam_1_high_limit: [i32];
+        write_cam_1_hysteresis: [u32];
+        write_cam_2_low_limit: [i32];
+        write_cam_2_high_limit: [i32];
+        write_cam_2_hysteresis: [u32];
+        write_cam_3_low_limit: [i32];
+        write_cam_3_high_limit: [i32];
+        write_cam_3_hysteresis: [u32];
+        write_cam_4_low_limit: [i32];
+        write_cam_4_high_limit: [i32];
+        write_cam_4_hysteresis: [u32];
+        write_cam_5_low_limit: [i32];
+        write_cam_5_high_limit: [i32];
+        write_cam_5_hysteresis: [u32];
+        write_cam_6_low_limit: [i32];
+        write_cam_6_high_limit: [i32];
+        write_cam_6_hysteresis: [u32];
+        write_cam_7_low_limit: [i32];
+        write_cam_7_high_limit: [i32];
+        write_cam_7_hysteresis: [u32];
+        write_cam_8_low_limit: [i32];
+        write_cam_8_high_limit: [i32];
+        write_cam_8_hysteresis: [u32];
     }
 }

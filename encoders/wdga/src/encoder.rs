@@ -5,6 +5,7 @@ use lexican_runtime::{Frame, Instant, Node, NodeId, lss::BitRate, profile::encod
 use crate::{
     Label, Memory,
     application::{Application, Wishes},
+    health::Health,
     memory::CUSTOMER,
     wdga,
 };
@@ -22,7 +23,7 @@ const PERIOD: u32 = 1;
 const EVENT_DRIVEN: u8 = 0xFE;
 
 /// The node in an encoder.
-type Slave<M> = Node<wdga::Device<Application, Memory<M>>>;
+pub(crate) type Slave<M> = Node<wdga::Device<Application, Memory<M>>>;
 
 /// A WDGA: it takes frames from the bus, and gives frames.
 ///
@@ -32,6 +33,7 @@ type Slave<M> = Node<wdga::Device<Application, Memory<M>>>;
 pub struct Encoder<S, M: Storage> {
     node: Slave<M>,
     sensor: S,
+    health: Health,
     /// When the position is read next.
     sample_due: Instant,
     /// The bit rate of now; [`BitRate::AUTOMATIC`] while it is listened for.
@@ -48,6 +50,7 @@ impl<S: Sensor, M: Storage> Encoder<S, M> {
         let mut encoder = Self {
             node: Node::new(device, NODE_ID),
             sensor,
+            health: Health::default(),
             sample_due: Instant::default(),
             bit_rate: BitRate::AUTOMATIC,
         };
@@ -124,10 +127,11 @@ impl<S: Sensor, M: Storage> Encoder<S, M> {
         self.sample_due = now.plus_millis(PERIOD);
         let reading = self.sensor.reading();
         let wdga::Device { od, handlers, .. } = self.node.application_mut();
-        let has_moved = handlers.measurement.update(od, reading);
+        let has_moved = handlers.measurement.update(od, now, reading);
         if has_moved {
             self.send_position();
         }
+        self.health.look(&mut self.node, &mut self.sensor, now);
     }
 
     /// Table 8.46: type FEh goes out on a change of the position, whatever it carries.
@@ -165,10 +169,11 @@ impl<S: Sensor, M: Storage> Encoder<S, M> {
         if wishes.configures_bus {
             let node_id = NodeId::new(od.node_id).unwrap_or(NODE_ID);
             let bit_rate = BitRate::from_index(od.baud_rate);
-            self.node.configure_lss(node_id, bit_rate).ok();
+            let stored = self.node.configure_lss(node_id, bit_rate);
+            self.health.stored(&mut self.node, stored);
         }
         if wishes.saves_customer_data {
-            self.node.save(CUSTOMER).ok();
+            self.health.save(&mut self.node, CUSTOMER);
         }
         if wishes.starts_anew {
             let (_, bit_rate) = self.node.configured_lss();

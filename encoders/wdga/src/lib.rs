@@ -37,6 +37,10 @@
 //! | `encoder` | ties sensor, node and time together |
 //! | `application` | answers for the objects that are more than stored values |
 //! | `measurement` | from the sensor's reading to the objects of CiA 406 |
+//! | `motion` | speed, acceleration and jerk over the integration time |
+//! | `places` | cams and the work area |
+//! | `health` | temperature, alarms, warnings, emergency messages, histories |
+//! | `guard` | what may be written in PRE-OPERATIONAL only |
 //! | `memory` | which objects are stored together, and which outlive a restore |
 //!
 //! `docs/encoders.md` of the repository goes through the manual, statement by statement.
@@ -45,9 +49,13 @@
 
 mod application;
 mod encoder;
+mod guard;
+mod health;
 mod label;
 mod measurement;
 mod memory;
+mod motion;
+mod places;
 
 pub use application::Application;
 pub use encoder::Encoder;

@@ -1,11 +1,15 @@
 //! From the sensor's reading to the objects of CiA 406.
 
 use lexican_runtime::{
-    AbortCode,
-    profile::encoder::{Parameters, Position, Reading, Shaft},
+    AbortCode, Instant,
+    profile::encoder::{Cams, Filter, Parameters, Position, Reading, Shaft, way},
 };
 
-use crate::wdga::Dictionary;
+use crate::{
+    motion::Motion,
+    places::{show_area, show_cams},
+    wdga::Dictionary,
+};
 
 /// 6000h, bit 0: positions increase counterclockwise.
 const COUNTERCLOCKWISE: u16 = 0x0001;
@@ -25,6 +29,11 @@ pub(crate) struct Measurement {
     reading: Reading,
     position: Position,
     precise: Position,
+    filters: [Filter; 2],
+    /// Where [`Measurement::precise`] was, unfiltered: ways on the long circle have one meaning only.
+    place: Option<u64>,
+    motion: Motion,
+    cams: Cams,
 }
 
 impl Measurement {
@@ -36,6 +45,10 @@ impl Measurement {
             reading: Reading::default(),
             position,
             precise,
+            filters: [Filter::new(); 2],
+            place: None,
+            motion: Motion::default(),
+            cams: Cams::new(),
         };
         measurement.position.set_offset(od.offset_value.into());
         measurement.precise.set_offset(od.offset_value.into());
@@ -49,11 +62,19 @@ impl Measurement {
     }
 
     /// Takes a reading; says whether the position has changed.
-    pub(crate) fn update(&mut self, od: &mut Dictionary, reading: Reading) -> bool {
+    pub(crate) fn update(&mut self, od: &mut Dictionary, now: Instant, reading: Reading) -> bool {
         self.reading = reading;
         let before = od.position_value;
-        self.show(od);
+        let last = self.place;
+        let place = self.show(od);
+        let way = last.map_or(0, |last| way(last, place, self.precise.range()));
+        self.motion.update(od, now, way);
         od.position_value != before
+    }
+
+    /// Whether the shaft is faster than the frequency limit (2107h).
+    pub(crate) const fn is_too_fast(&self) -> bool {
+        self.motion.is_too_fast()
     }
 
     /// 6003h: moves both circles by the same way.
@@ -75,15 +96,25 @@ impl Measurement {
     fn show_offset(&mut self, od: &mut Dictionary) {
         // Half of the longest range is 2³¹, which is the same way as −2³¹.
         od.offset_value = i32::try_from(self.position.offset()).unwrap_or(i32::MIN);
+        self.filters = [Filter::new(); 2];
         self.show(od);
     }
 
-    fn show(&mut self, od: &mut Dictionary) {
+    /// Shows the reading; gives the unfiltered place on the long circle.
+    fn show(&mut self, od: &mut Dictionary) -> u64 {
+        let strength = od.integration_value_position_filter.saturating_sub(1);
+        let [filter, precise_filter] = &mut self.filters;
+        let range = self.position.range();
+        let position = filter.update(self.position.update(self.reading), range, strength);
+        let place = self.precise.update(self.reading);
+        self.place = Some(place);
         od.operating_status = od.operating_parameters;
-        let position = self.position.update(self.reading);
         // The range is 2³² at most.
         od.position_value = u32::try_from(position).unwrap_or(u32::MAX);
-        od.high_precision_position_value = self.precise.update(self.reading);
+        od.high_precision_position_value = precise_filter.update(place, self.precise.range(), strength);
+        show_cams(&mut self.cams, od, position, range);
+        show_area(od, od.position_value);
+        place
     }
 }
 

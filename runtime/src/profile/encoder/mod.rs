@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! turn, angle ─▶ Position   code sequence, scaling, preset        6000h to 6004h, 6008h, 6009h, 6501h, 6502h, 6509h
+//!                   ├─▶ Filter   the way there in parts
 //!                   ├─▶ speed    difference over time, scaled      6030h, and twice more: acceleration, jerk
 //!                   ├─▶ Cams     eight switch points               6300h to 6337h
 //!                   └─▶ area     work area                         6400h to 6402h
@@ -11,15 +12,30 @@
 
 mod area;
 mod cam;
+mod filter;
 mod position;
 mod sensor;
 mod speed;
 
 pub use area::{area, Area, OUT_OF_RANGE, OVERFLOW, UNDERFLOW};
 pub use cam::{Cam, Cams};
+pub use filter::Filter;
 pub use position::{Parameters, Position, Reading, Shaft};
 pub use sensor::{Faults, Sensor};
 pub use speed::speed;
+
+/// The shorter way from `from` to `to` on a circle of `range` steps, negative for backwards; both are on it. Half of the
+/// circle is a way forwards; what is longer than an `i64` is as long as the longest one.
+#[must_use]
+pub fn way(from: u64, to: u64, range: u64) -> i64 {
+    let ahead = distance(from, to, range);
+    let behind = range - ahead;
+    if behind < ahead {
+        i64::try_from(behind).map_or(i64::MIN, |behind| -behind)
+    } else {
+        i64::try_from(ahead).unwrap_or(i64::MAX)
+    }
+}
 
 /// `a + b` on a circle of `range` steps; both are on it.
 const fn add(a: u64, b: u64, range: u64) -> u64 {

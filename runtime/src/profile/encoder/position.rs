@@ -4,7 +4,7 @@
 //! revolutions end, the circle goes on: what is left of the range there is remembered, so that no position is left out or
 //! passed twice. An encoder keeps that in its memory, with the preset's offset ([`Position::memory`]).
 
-use super::{add, distance, multiply};
+use super::{add, distance, multiply, way};
 use crate::AbortCode;
 
 /// What the sensor can tell apart.
@@ -193,12 +193,7 @@ impl Position {
     /// 6509h: what the preset adds to the position, as the shorter way: up to half of the range, negative or positive.
     #[must_use]
     pub fn offset(&self) -> i64 {
-        let back = self.range - self.offset;
-        if back < self.offset {
-            i64::try_from(back).map_or(i64::MIN, |back| -back)
-        } else {
-            i64::try_from(self.offset).unwrap_or(i64::MAX)
-        }
+        way(0, self.offset, self.range)
     }
 
     /// Takes the offset that [`Position::offset`] gave before power-off. One that is beyond the range counts as what is
