@@ -6,11 +6,13 @@ use std::{
 };
 
 /// Where the paths of a cell may start.
-const ROOTS: [&str; 6] = [
+const ROOTS: [&str; 8] = [
     "",
     "encoders/wdga/src",
     "encoders/wv58mr/src",
     "eds/devices",
+    "runtime/src",
+    "tests/dialogues",
     "tests/tests",
     "tests/tests/wv58mr",
 ];
@@ -52,7 +54,7 @@ fn sources(folder: &Path, text: &mut String) {
 }
 
 #[test]
-fn every_row_says_where_it_is_built_and_names_files_and_tests_that_there_are() {
+fn every_row_names_files_and_tests_that_there_are() {
     let page = fs::read_to_string(repository().join("docs/encoders.md")).expect("the page");
     let mut code_of_all = String::new();
     for folder in ["tests/tests", "runtime/src", "encoders"] {
@@ -64,10 +66,16 @@ fn every_row_says_where_it_is_built_and_names_files_and_tests_that_there_are() {
         let [chapter, statement, built, shown] = &cells[..] else {
             panic!("line {line} has not four cells");
         };
-        for cell in [chapter, statement, built] {
-            assert!(!cell.is_empty(), "line {line} has an empty cell");
-        }
-        for name in code(built).chain(code(shown)) {
+        assert!(
+            !chapter.is_empty() && !statement.is_empty(),
+            "line {line}: nothing is said"
+        );
+        assert!(
+            !built.is_empty() || !shown.is_empty(),
+            "line {line}: neither built nor shown"
+        );
+        // `sdo_*.rs` stands for many.
+        for name in code(built).chain(code(shown)).filter(|name| !name.contains('*')) {
             let test = name.rsplit("::").next().unwrap_or(name);
             let is_there = is_file(name) || code_of_all.contains(&format!("fn {test}("));
             assert!(is_there, "line {line}: there is no `{name}`");
