@@ -2,7 +2,7 @@
 //! [`Storage`](lexican_runtime::storage::Storage). On a microcontroller it is the encoder's firmware, on a host a virtual encoder.
 //!
 //! ```
-//! use lexican_runtime::{profile::encoder::{Reading, Sensor, Shaft}, storage::NoStorage, Frame, Instant};
+//! use lexican_runtime::{profile::encoder::{Reading, Sensor, Shaft}, storage::NoStorage, wire::CanId, Frame, Instant};
 //! use lexican_wdga::{shaft, BitRate, Encoder, Label, Variant};
 //!
 //! struct Still;
@@ -25,7 +25,7 @@
 //!     # assert_eq!(frame.data(), [0]);
 //! }
 //! // when one has come from the bus
-//! # let frame = Frame::default();
+//! # let frame = Frame::byte(CanId::NMT, 0x01);
 //! encoder.receive(now, &frame);
 //! // nothing to do before that
 //! let due = encoder.poll_at();
@@ -42,6 +42,13 @@
 //! | `health` | temperature, alarms, warnings, emergency messages, histories |
 //! | `guard` | what may be written in PRE-OPERATIONAL only |
 //! | `memory` | which objects are stored together, and which outlive a restore |
+//!
+//! With the feature `host` there is a binary `wdga`, a virtual encoder on a bus of this host: its shaft turns by a script, faults
+//! come when they are told to, and a file is its EEPROM.
+//!
+//! ```text
+//! wdga --bus slcan+tcp-listen://127.0.0.1:29321 --motion sine:3:10 --fault position@20..25 --eeprom wdga.eeprom
+//! ```
 //!
 //! `docs/encoders.md` of the repository goes through the manual, statement by statement.
 
