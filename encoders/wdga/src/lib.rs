@@ -14,6 +14,9 @@
 //!     fn reading(&mut self) -> Reading {
 //!         Reading { turn: 0, angle: 100 }
 //!     }
+//!     fn temperature(&mut self) -> Option<i16> {
+//!         Some(20)
+//!     }
 //! }
 //!
 //! let now = Instant::from_millis(1);
