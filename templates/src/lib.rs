@@ -12,6 +12,7 @@
 
 mod error;
 mod filters;
+pub mod report;
 pub mod scaffold;
 
 pub use error::Error;

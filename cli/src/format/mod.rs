@@ -5,6 +5,7 @@
 
 mod counts;
 mod github;
+mod html;
 mod json;
 mod junit;
 mod place;
@@ -40,6 +41,8 @@ pub(crate) enum Format {
     Junit,
     /// For GitHub Actions: annotations in the files of a pull request
     Github,
+    /// For a browser: one page with everything in it, to be searched, mailed and archived
+    Html,
 }
 
 /// What was checked.
@@ -101,6 +104,7 @@ impl Format {
             Self::Sarif => &sarif::Sarif,
             Self::Junit => &junit::Junit,
             Self::Github => &github::Github,
+            Self::Html => &html::Html,
         }
     }
 

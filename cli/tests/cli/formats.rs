@@ -258,7 +258,7 @@ fn a_file_name_cannot_break_out_of_its_annotation() {
 
 #[test]
 fn control_characters_of_a_file_stay_out_of_every_format() {
-    for format in ["text", "json", "sarif", "junit", "github"] {
+    for format in ["text", "json", "sarif", "junit", "github", "html"] {
         let ran = run(format);
         let steering = |text: &str| text.chars().find(|c| c.is_control() && *c != '\n');
         assert_eq!(steering(&ran.stdout), None, "{format}: {}", ran.stdout);

@@ -13,6 +13,7 @@ mod format;
 mod formats;
 mod generate;
 mod help;
+mod html;
 mod lexican;
 mod new;
 mod sarif_fixes;
