@@ -7,8 +7,15 @@ use std::{
     process::Command,
 };
 
-use lexican_bus::log::{Damage, Format, Reader, Record, Summary, Writer};
-use lexican_runtime::Instant;
+use lexican_bus::{
+    decode::{Decoder, Description, Survey},
+    log::{Damage, Format, Reader, Record, Summary, Writer},
+};
+use lexican_eds::{
+    dump::{Answer, Dump},
+    ir::Address,
+};
+use lexican_runtime::{Instant, NodeId};
 use lexican_tests::python;
 
 /// The frames of a log as `µs channel id#data`, and what became of its lines.
@@ -241,4 +248,103 @@ fn what_is_written_is_read_again() {
     writer.write(Instant::from_millis(5), &frame).expect("memory takes it");
     let text = String::from_utf8(writer.into_inner()).unwrap();
     assert_eq!(text, "(0000000000.005000) my_bus_1 601#4000100000000000\n");
+}
+
+/// What is overheard of node 5 of `eds` in `log`.
+fn overheard(eds: &[u8], log: &[u8]) -> Survey {
+    let description = Description::new(&lexican_eds::read("node.eds", eds.to_vec()).dictionary);
+    let (mut decoder, mut survey) = (Decoder::new(Some(&description)), Survey::default());
+    for record in Reader::new(log) {
+        let record = record.expect("memory can be read");
+        survey.hear(record.time, &decoder.decode(&record.frame));
+    }
+    survey
+}
+
+const NODE: NodeId = match NodeId::new(5) {
+    Some(node_id) => node_id,
+    None => unreachable!(),
+};
+
+/// python-canopen's master reads python-canopen's device while python-can records the bus: nothing of ours has a part in it.
+#[test]
+fn a_recorded_dump_of_python_canopen_has_the_values_that_python_canopen_read() {
+    let Some(python) = python::with_canopen() else { return };
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let scratch = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let page = include_str!("../../docs/dump-format.md");
+    let (_, script) = page.split_once("```python\n").expect("a script");
+    let path = scratch.join("record.py");
+    fs::write(&path, script.split_once("```").expect("its end").0).expect("a folder for tests");
+    for form in ["log", "asc", "csv"] {
+        let (eds, out) = (root.join("../eds/devices/wdga.eds"), scratch.join("recorded.json"));
+        let log = scratch.join(format!("recorded.{form}"));
+        let output = Command::new(&python)
+            .arg(root.join("oracle/dump_local_node.py"))
+            .args([&path, &eds, &out, &log])
+            .output()
+            .expect("python runs");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let expected = Dump::from_json(&fs::read(&out).expect("the dump")).expect("a dump");
+        let survey = overheard(&fs::read(&eds).expect("our file"), &fs::read(&log).expect("the log"));
+        let heard = survey.node(NODE).expect("the node was read");
+        assert!(heard.dump.objects.len() > 100);
+        assert_eq!(heard.dump.objects, expected.objects, "{form}");
+        assert_eq!(heard.incomplete, 0);
+    }
+}
+
+/// Telegrams of CiA 301, 7.2.4.3, written by hand.
+#[test]
+fn a_log_with_holes_gives_the_values_that_are_whole() {
+    let eds = include_bytes!("../../eds/devices/wdga.eds");
+    let survey = overheard(
+        eds,
+        b"(1.0) c 585#431810010900000
+(1.0) c 585#4318100109000000
+(1.0) c 605#4018100200000000
+(1.1) c 585#4318100202000000
+(1.2) c 605#4008100000000000
+(1.3) c 585#410810000A000000
+(1.4) c 605#6000000000000000
+(1.5) c 605#7000000000000000
+(1.6) c 585#1943444500000000
+(1.7) c 605#4018100300000000
+(1.8) c 605#4034120000000000
+(1.9) c 585#8034120000000206
+(2.0) c 605#A008100010000000
+(2.1) c 585#C20810000A000000
+(2.2) c 605#A300000000000000
+(2.3) c 585#0157444741204142
+(2.4) c 585#8243444500000000
+(2.5) c 605#A202100000000000
+(2.6) c 585#D100000000000000
+(2.7) c 605#A100000000000000
+(2.8) c 605#4000100000000000
+(3.0) c 705#00
+(3.1) c 705#7F
+(3.2) c 085#3081110000000000
+(3.3) c 185#0102
+",
+    );
+    let heard = survey.node(NODE).expect("the node was read");
+    let answer = |index, sub| heard.dump.answer(Address::new(index, sub)).cloned();
+    // Nobody is heard asking for 1018sub1; the first reading of 1008h lacks its first segment; 1000h is never answered.
+    assert_eq!(answer(0x1018, 1), None);
+    assert_eq!(answer(0x1018, 2), Some(Answer::Value(vec![2, 0, 0, 0])));
+    assert_eq!(answer(0x1018, 3), Some(Answer::Timeout));
+    assert_eq!(answer(0x1234, 0).map(|answer| answer.is_absence()), Some(true));
+    assert_eq!(answer(0x1008, 0), Some(Answer::Value(b"WDGA ABCDE".to_vec())));
+    assert_eq!(answer(0x1000, 0), None);
+    assert_eq!(
+        (heard.incomplete, heard.boot_ups, heard.heartbeats, heard.emergencies),
+        (1, 1, 1, 1)
+    );
+    assert_eq!(heard.first_emergencies[0].2, "life guarding or heartbeat");
+    let wrong = heard
+        .wrong_pdos
+        .values()
+        .next()
+        .expect("a PDO of two bytes where four are mapped");
+    assert_eq!((wrong.frames, wrong.length, wrong.mapped), (1, 2, 4));
 }

@@ -129,6 +129,17 @@ impl Exchange<'_> {
         Some(self.value_as(sized))
     }
 
+    /// The bytes of the value that this frame completes.
+    pub(super) fn transferred_bytes(&self) -> &[u8] {
+        match self.step.ended {
+            Some(Ended {
+                outcome: Outcome::Value { sized },
+                ..
+            }) => value::counting(self.value, sized, self.object.map(|object| object.data_type)),
+            _ => &[],
+        }
+    }
+
     /// What has gone over so far.
     pub(super) fn value_as(&self, sized: bool) -> Value {
         value::of_bytes(self.value, sized, self.object.map(|object| object.data_type))

@@ -7,6 +7,7 @@
 //! | `node`, `pdo` | what is known of one node: PDOs with the mapping in force |
 //! | `route` | CAN-ID → service |
 //! | `message`, `emergency` | what a frame says |
+//! | `survey` | what is known of each node at the end |
 //! | `text`, `lss`, `json` | the same as a line for people and for programs |
 //!
 //! The communication parameters begin with what the file says and follow what is written and read over SDO. A boot-up takes
@@ -22,6 +23,7 @@ mod message;
 mod node;
 mod pdo;
 mod route;
+mod survey;
 mod text;
 mod value;
 
@@ -36,6 +38,7 @@ pub use description::{Described, Description};
 pub use json::write_json;
 pub use message::{Exchange, Message, Multiplexed, Received};
 pub use pdo::{Direction, Field};
+pub use survey::{Overheard, Survey, WrongPdo};
 pub use text::write_text;
 
 use node::Node;

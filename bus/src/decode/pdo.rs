@@ -11,7 +11,7 @@ use lexican_runtime::{
 use super::{Description, value};
 
 /// Which way a PDO goes, seen from the node.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Direction {
     /// RPDO: 1400h and 1600h.
     Receive,

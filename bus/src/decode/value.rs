@@ -29,9 +29,14 @@ pub(super) fn of_bits(bits: u64, length: u8, data_type: Option<DataType>) -> Val
 ///
 /// Of four bytes of which nobody said how many count those count that the type has.
 pub(super) fn of_bytes(bytes: &[u8], is_sized: bool, data_type: Option<DataType>) -> Value {
-    let length = data_type.and_then(DataType::bytes).filter(|_| !is_sized);
-    let bytes = length.and_then(|length| bytes.get(..length)).unwrap_or(bytes);
+    let bytes = counting(bytes, is_sized, data_type);
     data_type
         .and_then(|data_type| Value::from_bytes(bytes, data_type))
         .unwrap_or_else(|| Value::Bytes(bytes.to_vec()))
+}
+
+/// Those of `bytes` that count: where nobody said how many do, as many as the type has.
+pub(super) fn counting(bytes: &[u8], is_sized: bool, data_type: Option<DataType>) -> &[u8] {
+    let length = data_type.and_then(DataType::bytes).filter(|_| !is_sized);
+    length.and_then(|length| bytes.get(..length)).unwrap_or(bytes)
 }

@@ -12,6 +12,7 @@ mod generate;
 mod man;
 mod new;
 mod nodes;
+mod recorded;
 mod settings;
 mod shown;
 mod validate;

@@ -1,11 +1,18 @@
 //! `lexican validate`: what a device answered, held against its file.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
-use lexican_eds::{Reading, diagnostic::Level, document::Problem, dump::Dump, render, rules};
+use lexican_eds::{
+    Reading,
+    diagnostic::Level,
+    document::Problem,
+    render,
+    rules::{self, LevelChange, Levels},
+};
+use lexican_runtime::NodeId;
 
-use super::{settings::SettingsArguments, shown::ShownArguments};
+use super::{recorded::Recorded, settings::SettingsArguments, shown::ShownArguments};
 use crate::{
     Verdict,
     config::Settings,
@@ -24,8 +31,14 @@ pub(crate) struct Validate {
     /// The EDS or DCF file of the device, or `-` for standard input
     eds: PathBuf,
 
-    /// What the device answered: JSON as docs/dump-format.md of the repository describes it, or `-` for standard input
+    /// What the device answered, or `-` for standard input: a dump as docs/dump-format.md of the repository describes it, or a
+    /// log of candump, Vector's ASC or python-can's CSV in which somebody reads the device
+    #[arg(value_name = "DUMP|LOG")]
     dump: PathBuf,
+
+    /// The node-ID of the device in a log; not needed when no other node is read there
+    #[arg(long, value_name = "NODE", value_parser = node_id)]
+    node: Option<NodeId>,
 
     #[command(flatten)]
     shown: ShownArguments,
@@ -38,7 +51,8 @@ const EXAMPLES: &str = "\
 Examples:
   lexican validate pump.eds node5.json
   lexican validate pump.dcf node5.json --level DMP002=allow --level DMP019=deny
-  lexican validate --format json pump.eds - < node5.json";
+  lexican validate --format json pump.eds - < node5.json
+  lexican validate pump.eds bus.log --node 5 --format html > report.html";
 
 impl Validate {
     pub(crate) fn run(self) -> Result<Verdict, Failure> {
@@ -50,11 +64,12 @@ impl Validate {
             )));
         }
         let reading = self.read_eds()?;
-        let dump = read_dump(&self.dump)?;
+        let recorded = Recorded::read(&self.dump, self.node, &reading)?;
         mention_own_findings(&reading, &settings);
         let style = self.shown.style();
         let mut printer = Printer::new(style, Subject::Device)?;
-        let found = rules::validate(&reading, &dump, &settings.levels);
+        let levels = levels(&settings, recorded.is_log);
+        let found = rules::validate(&reading, &recorded.dump, &levels);
         printer.file(style.render(&reading.document, found))?;
         printer.finish()
     }
@@ -85,10 +100,18 @@ fn is_json(bytes: &[u8]) -> bool {
     text.trim_ascii_start().first() == Some(&b'{')
 }
 
-fn read_dump(path: &Path) -> Result<Dump, Failure> {
-    let input = Input::new(path);
-    let bytes = input.read()?;
-    Dump::from_json(&bytes).map_err(|error| Failure::new(format!("{}:{error}; {}", input.name(), error.help())))
+/// The rule that finds what nobody asked for: of a log it is silent, unless the user wants to hear it.
+const UNREAD_OBJECT: &str = "DMP012";
+
+fn levels(settings: &Settings, is_log: bool) -> Levels {
+    let silence = LevelChange::new(UNREAD_OBJECT, Level::Allow).ok().filter(|_| is_log);
+    let levels = silence.map_or_else(Levels::default, |change| Levels::default().with(change));
+    levels.then(settings.levels.clone())
+}
+
+fn node_id(number: &str) -> Result<NodeId, &'static str> {
+    let node_id = number.parse().ok().and_then(NodeId::new);
+    node_id.ok_or("a node-ID is a number from 1 to 127")
 }
 
 /// A file that is wrong itself makes wrong differences.

@@ -46,7 +46,7 @@ fn the_json_is_an_object_a_line_with_the_same_values() {
         .lines()
         .map(|line| serde_json::from_str(line).unwrap())
         .collect();
-    assert_eq!(lines.len(), LOG.iter().filter(|byte| **byte == b'\n').count());
+    assert_eq!(lines.len(), str::from_utf8(LOG).unwrap().lines().count());
     let vendor = lines.iter().find(|line| line["data"] == "431810019B000000").unwrap();
     assert_eq!((&vendor["object"], &vendor["value"]), (&"1018sub1".into(), &155.into()));
     let remapped = lines.iter().find(|line| line["data"] == "FEFFD2040000").unwrap();

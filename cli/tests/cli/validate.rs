@@ -167,3 +167,99 @@ fn nothing_in_a_dump_steers_the_terminal() {
     let ran = validate(EDS, steering.as_bytes());
     assert!(!ran.failed().contains('\u{1b}'), "{ran:#?}");
 }
+
+/// Node 5 is read in full but for 1018sub2, which differs from the file, in segments and in one frame.
+fn log() -> String {
+    let dump: serde_json::Value = serde_json::from_slice(DENIED).unwrap();
+    let objects = dump["objects"].as_object().unwrap().iter();
+    let transfers = objects.flat_map(|(address, value)| upload(address, &value.as_str().unwrap().replace(' ', "")));
+    let frames = ["705#00".to_owned(), "085#3081110000000000".to_owned()];
+    let lines = frames.into_iter().chain(transfers);
+    let lines: Vec<String> = lines.map(|frame| format!("(2.000000) can0 {frame}")).collect();
+    lines.join("\n") + "\n"
+}
+
+/// The frames in which `address` is read, expedited or in segments.
+fn upload(address: &str, value: &str) -> Vec<String> {
+    let (index, sub) = address.split_once("sub").unwrap();
+    let address = format!("{}{}{sub:0>2}", &index[2..], &index[..2]);
+    let mut frames = vec![format!("605#40{address}00000000")];
+    if value.len() <= 8 {
+        let command = 0x43 + (4 - value.len() / 2) * 4;
+        frames.push(format!("585#{command:02X}{address}{value:0<8}"));
+        return frames;
+    }
+    frames.push(format!("585#40{address}00000000"));
+    let parts: Vec<&[u8]> = value.as_bytes().chunks(14).collect();
+    for (number, part) in parts.iter().enumerate() {
+        let (toggle, last) = (number % 2 * 16, usize::from(number + 1 == parts.len()));
+        let (command, part) = (toggle + (7 - part.len() / 2) * 2 + last, str::from_utf8(part).unwrap());
+        frames.push(format!("605#{:02X}00000000000000", 0x60 + toggle));
+        frames.push(format!("585#{command:02X}{part:0<14}"));
+    }
+    frames
+}
+
+#[test]
+fn a_log_in_which_the_device_is_read_is_as_good_as_a_dump() {
+    let dumped = lexican().run(&["validate", "pump.eds", "denied.json"]);
+    let lexican = Lexican::with(&[("pump.eds", EDS), ("bus.log", log().as_bytes())]);
+    for arguments in [
+        &["validate", "pump.eds", "bus.log"][..],
+        &["validate", "pump.eds", "bus.log", "--node", "5"],
+    ] {
+        let logged = lexican.run(arguments);
+        assert_eq!((logged.code, &logged.stdout), (Some(1), &dumped.stdout), "{logged:#?}");
+        assert!(
+            logged.stderr.contains("1 boot-ups, 0 heartbeats, 1 emergencies\n"),
+            "{logged:#?}"
+        );
+        assert!(
+            logged.stderr.contains("8130h life guarding or heartbeat"),
+            "{logged:#?}"
+        );
+    }
+    let piped = lexican.run_with_input(&["validate", "pump.eds", "-"], log().as_bytes());
+    assert_eq!((piped.code, piped.stdout), (Some(1), dumped.stdout));
+}
+
+#[test]
+fn of_a_part_of_a_log_what_nobody_asked_for_is_no_finding_unless_it_is_wanted() {
+    let log = log();
+    let part: Vec<&str> = log.lines().filter(|line| line.contains("181002")).collect();
+    let part = part.join("\n");
+    let lexican = Lexican::with(&[("pump.eds", EDS), ("bus.log", part.as_bytes())]);
+    let ran = lexican.run(&["validate", "pump.eds", "bus.log"]);
+    assert_eq!(ran.stdout.matches("error[").count(), 1, "{ran:#?}");
+    assert!(ran.stdout.contains("error[DMP007]"), "{ran:#?}");
+    let strict = lexican.run(&["validate", "pump.eds", "bus.log", "--level", "DMP012=deny"]);
+    assert!(strict.stdout.contains("error[DMP012]"), "{strict:#?}");
+}
+
+#[test]
+fn a_log_of_several_nodes_needs_a_number_and_one_of_none_is_refused() {
+    let two = log() + &log().replace("605#", "606#").replace("585#", "586#");
+    let lexican = Lexican::with(&[
+        ("pump.eds", EDS),
+        ("two.log", two.as_bytes()),
+        ("none.log", b"(1.0) can0 705#05\n"),
+    ]);
+    assert_eq!(
+        lexican.run(&["validate", "pump.eds", "two.log"]).failed(),
+        "error: in two.log the nodes 5, 6 are read; say which one is meant: --node N\n"
+    );
+    assert_eq!(
+        lexican.run(&["validate", "pump.eds", "two.log", "--node", "5"]).code,
+        Some(1)
+    );
+    assert_eq!(
+        lexican.run(&["validate", "pump.eds", "none.log"]).failed(),
+        "error: in none.log nobody reads an object of any node\n"
+    );
+    assert_eq!(
+        lexican
+            .run(&["validate", "pump.eds", "two.log", "--node", "7"])
+            .failed(),
+        "error: in two.log nobody reads an object of node 7\n"
+    );
+}
