@@ -90,6 +90,15 @@ fn type_253_answers_rtr_only() {
 }
 
 #[test]
+fn tpdo_2_has_no_timer_so_that_its_event_driven_types_answer_rtr_only() {
+    let (mut bus, _) = operational();
+    for event_driven in [254, 255] {
+        bus.set(0x1801, 2, &[event_driven]).advance(1000).send("080#").silence();
+        bus.send("281#R6").expect("281#000000000000").silence();
+    }
+}
+
+#[test]
 fn rtr_is_not_answered_when_bit_30_forbids_it() {
     let (mut bus, _) = delivered();
     bus.set(0x1800, 1, &[0x81, 0x01, 0x00, 0x40]);
