@@ -64,6 +64,7 @@ impl<S: Sensor, M: Storage> Encoder<S, M> {
         self.sample(now);
         self.node.receive(now, frame);
         self.fulfil();
+        self.show_bus();
     }
 
     /// The next frame to send at `now`; `None` when there is nothing (more) to say.
@@ -155,8 +156,8 @@ impl<S: Sensor, M: Storage> Encoder<S, M> {
         let wishes = core::mem::take(&mut self.node.application_mut().handlers.wishes);
         if wishes != Wishes::default() {
             self.obey(wishes);
+            self.show_bus();
         }
-        self.show_bus();
     }
 
     fn obey(&mut self, wishes: Wishes) {

@@ -9,7 +9,7 @@
 //!
 //! Positions are on a circle: a cam whose low limit is above its high limit is active across the end of the range.
 
-use super::distance;
+use super::{distance, wrapped};
 
 /// A cam's switch points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,7 +41,7 @@ impl Cam {
 
 /// A limit as a position.
 fn on_circle(limit: i32, range: u64) -> u64 {
-    let size = u64::from(limit.unsigned_abs()) % range;
+    let size = wrapped(limit.unsigned_abs().into(), range);
     if limit < 0 {
         distance(size, 0, range)
     } else {

@@ -27,8 +27,12 @@ impl Filter {
     /// Takes `position` of `range`; gives the filtered one, the nearest whole step. Of the way to `position` it goes the part
     /// 1 ÷ 2ˢ, where s is `strength`, 0 to 7: with 0 the whole way, which is no filter.
     pub fn update(&mut self, position: u64, range: u64, strength: u8) -> u64 {
+        if strength == 0 {
+            self.place = Some((position, 0));
+            return position;
+        }
         let strength = strength.min(7);
-        let (whole, fraction) = self.place.filter(|_| strength != 0).unwrap_or((position, 0));
+        let (whole, fraction) = self.place.unwrap_or((position, 0));
         let ahead = way(whole, position, range).saturating_mul(FRACTIONS) - fraction;
         let fraction = fraction + (ahead >> strength);
         let whole = moved(whole, fraction.div_euclid(FRACTIONS), range);

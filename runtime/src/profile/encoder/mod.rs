@@ -47,6 +47,15 @@ const fn add(a: u64, b: u64, range: u64) -> u64 {
     }
 }
 
+/// What is left of `value` on a circle of `range` steps; a place on it, as nearly all are, costs no division.
+const fn wrapped(value: u64, range: u64) -> u64 {
+    if value < range {
+        value
+    } else {
+        value % range
+    }
+}
+
 /// How far `to` is ahead of `from` on a circle of `range` steps; both are on it.
 const fn distance(from: u64, to: u64, range: u64) -> u64 {
     if to >= from {

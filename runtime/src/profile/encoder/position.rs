@@ -4,7 +4,7 @@
 //! revolutions end, the circle goes on: what is left of the range there is remembered, so that no position is left out or
 //! passed twice. An encoder keeps that in its memory, with the preset's offset ([`Position::memory`]).
 
-use super::{add, distance, multiply, way};
+use super::{add, distance, multiply, way, wrapped};
 use crate::AbortCode;
 
 /// What the sensor can tell apart.
@@ -217,7 +217,7 @@ impl Position {
     /// The reading in the direction that counts.
     fn counted(&self, reading: Reading) -> Reading {
         let reading = Reading {
-            turn: reading.turn % self.shaft.revolutions,
+            turn: wrapped(reading.turn, self.shaft.revolutions),
             angle: reading.angle % self.shaft.resolution,
         };
         if self.is_counterclockwise {
