@@ -15,6 +15,7 @@ mod nodes;
 mod recorded;
 mod settings;
 mod shown;
+mod simulate;
 mod validate;
 
 use clap::Subcommand;
@@ -30,6 +31,7 @@ pub(crate) enum Command {
     Format(format::Format),
     Generate(generate::Generate),
     New(new::New),
+    Simulate(simulate::Simulate),
     Validate(validate::Validate),
     Completions(completions::Completions),
     Man(man::Man),
@@ -50,6 +52,7 @@ impl Command {
             Self::Format(format) => format.run(),
             Self::Generate(generate) => generate.run(),
             Self::New(new) => new.run(),
+            Self::Simulate(simulate) => simulate.run(),
             Self::Validate(validate) => validate.run(),
             Self::Completions(completions) => completions.run(),
             Self::Man(man) => man.run(),

@@ -18,4 +18,5 @@ mod lexican;
 mod new;
 mod sarif_fixes;
 mod shell;
+mod simulate;
 mod validate;
