@@ -197,6 +197,18 @@ fn a_bit_rate_is_activated_between_two_delays_without_a_frame() {
 }
 
 #[test]
+fn without_delays_a_bit_rate_is_activated_at_once_and_nothing_more_is_due() {
+    let mut bus = configured();
+    bus.send(TO_CONFIGURATION)
+        .send("7E5#1300030000000000")
+        .expect("7E4#13..");
+    bus.send("7E5#1500000000000000").silence();
+    assert_eq!(bus.node().bit_rate(), Some(BitRate::KBIT_250));
+    assert_eq!(bus.node().poll_at(), None, "nothing is said twice");
+    bus.send(INQUIRE_NODE_ID).expect("7E4#5E04000000000000").silence();
+}
+
+#[test]
 fn the_application_s_reset_does_not_break_the_silence() {
     let mut bus = configured();
     bus.send(TO_CONFIGURATION)

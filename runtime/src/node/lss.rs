@@ -151,7 +151,8 @@ impl<D: Device> Node<D> {
 
     /// Looks at the switch delays; `false` when silence is over.
     pub(super) fn keeps_silence(&mut self, now: Instant) -> bool {
-        if now >= self.lss.due() {
+        // Both delays are over at once when they are 0.
+        while now >= self.lss.due() {
             self.lss.expire(now);
             let bit_rate = self.lss.bit_rate().filter(|_| self.lss.is_switching());
             if let Some(bit_rate) = bit_rate {
