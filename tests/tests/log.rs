@@ -8,7 +8,7 @@ use std::{
 };
 
 use lexican_bus::{
-    decode::{Decoder, Description, Survey},
+    decode::{Decoder, Description, Survey, write_json, write_text},
     log::{Damage, Format, Reader, Record, Summary, Writer},
 };
 use lexican_eds::{
@@ -347,4 +347,44 @@ fn a_log_with_holes_gives_the_values_that_are_whole() {
         .next()
         .expect("a PDO of two bytes where four are mapped");
     assert_eq!((wrong.frames, wrong.length, wrong.mapped), (1, 2, 4));
+}
+
+/// Frames of one node's identifiers with any commands, and a few bytes of text as any log may have them.
+#[test]
+fn whatever_is_on_the_bus_every_frame_is_a_line() {
+    let eds = include_bytes!("../../eds/devices/wdga.eds");
+    let description = Description::new(&lexican_eds::read("wdga.eds", eds.to_vec()).dictionary);
+    let (mut decoder, mut survey) = (Decoder::new(Some(&description)), Survey::default());
+    let mut state = 6u64;
+    let mut chance = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        state >> 33
+    };
+    let ids = [
+        0x000, 0x080, 0x085, 0x100, 0x185, 0x205, 0x585, 0x605, 0x705, 0x7E4, 0x7E5,
+    ];
+    let objects = ["1A0000", "1A0001", "180001", "100800", "101001"];
+    for _ in 0..50_000 {
+        let id = ids[usize::try_from(chance()).unwrap() % ids.len()];
+        let object = objects[usize::try_from(chance()).unwrap() % objects.len()];
+        let (high, low) = (&object[..2], &object[2..]);
+        let (command, data, length) = (
+            chance() & 0xFF,
+            chance() & 0xFFFF_FFFF,
+            usize::try_from(chance() % 40).unwrap(),
+        );
+        let bytes = format!("{command:02X}{}{high}{}{data:08X}", &low[..2], &low[2..]);
+        let log = format!("(1.000000) can0 {id:03X}#{}\n", &bytes[..(length * 2).min(16)]);
+        let record = Reader::new(log.as_bytes())
+            .next()
+            .expect("a frame")
+            .expect("memory can be read");
+        let message = decoder.decode(&record.frame);
+        survey.hear(record.time, &message);
+        let mut lines = String::new();
+        write_text(&mut lines, &record, "can0", &message);
+        write_json(&mut lines, &record, "can0", &message);
+        assert_eq!(lines.lines().count(), 2, "{lines}");
+    }
+    assert!(survey.node(NODE).is_some_and(|node| node.emergencies > 0));
 }
