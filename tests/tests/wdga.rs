@@ -1,6 +1,7 @@
 //! The virtual WDGA, as a client on its bus sees it: what the manual says of its objects and its behaviour.
 
 use lexican_runtime::{
+    BusState, Instant,
     profile::encoder::{Faults, Shaft},
     storage::NoStorage,
 };
@@ -44,7 +45,7 @@ fn it_listens_for_the_bit_rate_before_it_boots() {
     let hand = Hand::new(lexican_wdga::shaft(Variant::Multiturn));
     let mut encoder = Encoder::new(hand, NoStorage, Label::default());
     assert_eq!(encoder.bit_rate(), lexican_wdga::BitRate::AUTOMATIC);
-    let now = lexican_runtime::Instant::from_millis(1);
+    let now = Instant::from_millis(1);
     assert_eq!(encoder.poll(now), None);
     assert_eq!(encoder.poll_at(), None);
     encoder.detected(lexican_wdga::BitRate::KBIT_250);
@@ -484,4 +485,24 @@ fn only_a_32_bit_device_has_a_full_range() {
     bus.send("67F#4002600000000000").expect("5FF#4302600000000004");
     refuse(&mut bus, "2302600000000000", "32000906");
     write(&mut bus, "23026000FFFFFFFF");
+}
+
+#[test]
+fn the_controller_returns_to_the_bus_after_the_seconds_of_2103h() {
+    let (mut bus, _) = booted();
+    let off = Instant::from_millis(1000);
+    let after = |millis: u64| Instant::from_millis(1000 + millis);
+    bus.slave().set_bus_state(off, BusState::Off);
+    assert!(!bus.slave().is_to_rejoin(after(1_000_000)), "0 means never");
+    bus.slave().set_bus_state(after(0), BusState::Active);
+    bus.advance(1)
+        .expect("0FF#4081110000000000")
+        .expect("0FF#0000000000000000");
+    write(&mut bus, "2F03210002000000");
+    bus.slave().set_bus_state(off, BusState::Off);
+    bus.slave().set_bus_state(after(500), BusState::Off);
+    assert!(!bus.slave().is_to_rejoin(after(1999)));
+    assert!(bus.slave().is_to_rejoin(after(2000)));
+    bus.slave().set_bus_state(after(2000), BusState::Active);
+    assert!(!bus.slave().is_to_rejoin(after(3000)));
 }

@@ -1,6 +1,8 @@
 //! Ties sensor, node and time together.
 
-use lexican_runtime::{Frame, Instant, Node, NodeId, lss::BitRate, profile::encoder::Sensor, storage::Storage};
+use lexican_runtime::{
+    BusState, Frame, Instant, Node, NodeId, lss::BitRate, profile::encoder::Sensor, storage::Storage,
+};
 
 use crate::{
     Label, Memory,
@@ -36,6 +38,8 @@ pub struct Encoder<S, M: Storage> {
     health: Health,
     /// When the position is read next.
     sample_due: Instant,
+    /// When a controller that is off the bus is to return; [`Instant::NEVER`] when it is not.
+    rejoin_due: Instant,
     /// The bit rate of now; [`BitRate::AUTOMATIC`] while it is listened for.
     bit_rate: BitRate,
 }
@@ -52,6 +56,7 @@ impl<S: Sensor, M: Storage> Encoder<S, M> {
             sensor,
             health: Health::default(),
             sample_due: Instant::default(),
+            rejoin_due: Instant::NEVER,
             bit_rate: BitRate::AUTOMATIC,
         };
         encoder.fulfil();
@@ -101,6 +106,23 @@ impl<S: Sensor, M: Storage> Encoder<S, M> {
     /// The driver has found the bus's bit rate: the encoder boots up.
     pub fn detected(&mut self, bit_rate: BitRate) {
         self.bit_rate = bit_rate;
+    }
+
+    /// Tells the state of the CAN controller, as often as the driver likes ([`Node::set_bus_state`]).
+    pub fn set_bus_state(&mut self, now: Instant, state: BusState) {
+        let seconds = u32::from(self.node.device().od.bus_off_auto_reset);
+        if state != BusState::Off || seconds == 0 {
+            self.rejoin_due = Instant::NEVER;
+        } else if self.node.bus_state() != BusState::Off {
+            self.rejoin_due = now.plus_millis(seconds * 1000);
+        }
+        self.node.set_bus_state(state);
+    }
+
+    /// Whether the controller has been off the bus for as long as 2103h says, and the driver is to take it back (chapter 7.11).
+    #[must_use]
+    pub fn is_to_rejoin(&self, now: Instant) -> bool {
+        now >= self.rejoin_due
     }
 
     /// The sensor, to turn a virtual one.
