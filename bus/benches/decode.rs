@@ -21,7 +21,8 @@ use lexican_bus::{
 use lexican_eds::Reading;
 
 const FRAMES: usize = 1_000_000;
-const EDS: &[u8] = include_bytes!("../../eds/devices/wdga.eds");
+/// Read at run time: a package includes nothing of another.
+const EDS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../eds/devices/wdga.eds");
 
 type Write = fn(&mut String, &Record, &str, &lexican_bus::decode::Message<'_>);
 
@@ -53,7 +54,7 @@ fn main() {
 }
 
 fn description() -> Description {
-    let Reading { dictionary, .. } = lexican_eds::read("wdga.eds", EDS.to_vec());
+    let Reading { dictionary, .. } = lexican_eds::read(EDS, std::fs::read(EDS).unwrap_or_default());
     Description::new(&dictionary)
 }
 
