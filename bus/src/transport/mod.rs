@@ -29,7 +29,7 @@ pub use error::Error;
 pub use url::{BitRate, FORMS, Url, UrlError};
 
 use in_process::Virtual;
-use slcan::{Listener, Slcan, Socket};
+use slcan::{Listener, Serial, Slcan, Socket};
 
 /// Opens the bus that `name` names.
 ///
@@ -68,9 +68,13 @@ impl Url {
                 let socket = Socket::connect(address).map_err(|cause| unopened(&name, cause.kind(), cause))?;
                 Ok(Box::new(Slcan::open(name, socket, *bit_rate)?))
             }
+            Self::Slcan { device, bit_rate } => {
+                let serial = Serial::open(device).map_err(|cause| unopened(&name, cause.kind(), cause))?;
+                Ok(Box::new(Slcan::open(name, serial, *bit_rate)?))
+            }
             Self::SlcanTcpListen { address } => Ok(Box::new(Listener::bind(name, address)?)),
             Self::Virtual { name } => Ok(Box::new(Virtual::join(name))),
-            Self::Slcan { .. } | Self::SocketCan { .. } | Self::Socketcand { .. } => Err(unopened(
+            Self::SocketCan { .. } | Self::Socketcand { .. } => Err(unopened(
                 &name,
                 ErrorKind::Unsupported,
                 "this kind of bus is not built yet",

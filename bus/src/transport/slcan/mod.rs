@@ -1,6 +1,7 @@
 //! slcan: frames as lines of text, to an adapter or another program.
 
 mod listener;
+mod serial;
 mod socket;
 
 use std::{
@@ -16,6 +17,7 @@ use lexican_runtime::wire::{
 use super::{Error, Transport, url::BitRate};
 
 pub(super) use listener::Listener;
+pub(super) use serial::Serial;
 pub(super) use socket::Socket;
 
 /// Bytes both ways, with a limit to how long a read waits.

@@ -23,8 +23,8 @@ pub(crate) struct Simulate {
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
 
-    /// The bus: slcan:/dev/ttyACM0[@500k], slcan+tcp://host:port, slcan+tcp-listen://host:port (port 0: any that is free),
-    /// socketcan:can0
+    /// The bus: slcan:/dev/ttyACM0[@500k], slcan+tcp://host:port, slcan+tcp-listen://host:port (port 0: any that is
+    /// free)
     #[arg(long, value_name = "BUS")]
     bus: String,
 
@@ -56,7 +56,7 @@ A script has a command a line:
 
 Examples:
   lexican simulate pump.eds --bus slcan+tcp-listen://localhost:4711 --node 5
-  lexican simulate pump.eds --bus socketcan:can0 --node 1..127 --record bus.log
+  lexican simulate pump.eds --bus slcan+tcp://localhost:4711 --node 1..127 --record bus.log
   lexican simulate pump.eds valve.dcf --bus slcan:/dev/ttyACM0@500k --node 5,6 --set 5/6004:0=1234
   echo '6004:0 = 99' | lexican simulate pump.eds --bus slcan+tcp://localhost:4711 --script -";
 
