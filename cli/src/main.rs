@@ -112,7 +112,7 @@ impl Color {
 
 impl failure::Failure {
     /// Nobody is left to hear of it when stderr is gone.
-    fn print(&self) {
+    pub(crate) fn print(&self) {
         let style = anstyle::AnsiColor::BrightRed.on_default().bold();
         let _ = writeln!(anstream::stderr(), "{style}error{style:#}: {self}");
     }

@@ -5,10 +5,12 @@ mod completions;
 mod decode;
 mod diff;
 mod differences;
+mod dump;
 mod explain;
 mod fix;
 mod format;
 mod generate;
+mod live;
 mod man;
 mod new;
 mod nodes;
@@ -27,6 +29,7 @@ pub(crate) enum Command {
     Check(check::Check),
     Decode(decode::Decode),
     Diff(diff::Diff),
+    Dump(dump::DumpDevice),
     Explain(explain::Explain),
     Format(format::Format),
     Generate(generate::Generate),
@@ -48,6 +51,7 @@ impl Command {
             Self::Check(check) => check.run(),
             Self::Decode(decode) => decode.run(),
             Self::Diff(diff) => diff.run(),
+            Self::Dump(dump) => dump.run(),
             Self::Explain(explain) => explain.run(),
             Self::Format(format) => format.run(),
             Self::Generate(generate) => generate.run(),

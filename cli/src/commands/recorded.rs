@@ -64,7 +64,7 @@ fn read_dump(input: &Input, mut text: Text, node: Option<NodeId>) -> Result<Reco
     }
 }
 
-fn parse_dump(input: &Input, bytes: &[u8]) -> Result<Dump, Failure> {
+pub(super) fn parse_dump(input: &Input, bytes: &[u8]) -> Result<Dump, Failure> {
     Dump::from_json(bytes).map_err(|error| Failure::new(format!("{}:{error}; {}", input.name(), error.help())))
 }
 

@@ -1,18 +1,23 @@
 //! `lexican validate`: what a device answered, held against its file.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
+use lexican_bus::dump::Order;
 use lexican_eds::{
     Reading,
     diagnostic::Level,
     document::Problem,
-    render,
+    dump::Dump,
+    ir, render,
     rules::{self, LevelChange, Levels},
 };
 use lexican_runtime::NodeId;
 
-use super::{recorded::Recorded, settings::SettingsArguments, shown::ShownArguments};
+use super::{
+    dump::take_for_validation, live::LiveArguments, recorded::Recorded, settings::SettingsArguments,
+    shown::ShownArguments,
+};
 use crate::{
     Verdict,
     config::Settings,
@@ -33,10 +38,17 @@ pub(crate) struct Validate {
 
     /// What the device answered, or `-` for standard input: a dump as docs/dump-format.md of the repository describes it, or a
     /// log of candump, Vector's ASC or python-can's CSV in which somebody reads the device
-    #[arg(value_name = "DUMP|LOG")]
-    dump: PathBuf,
+    #[arg(value_name = "DUMP|LOG", required_unless_present = "bus", conflicts_with = "bus")]
+    dump: Option<PathBuf>,
 
-    /// The node-ID of the device in a log; not needed when no other node is read there
+    /// Read the device on this bus instead of a dump: slcan+tcp://HOST:PORT, socketcan:INTERFACE …
+    #[arg(long, requires = "node")]
+    bus: Option<String>,
+
+    #[command(flatten)]
+    live: LiveArguments,
+
+    /// The node-ID of the device on the bus or in a log; of a log not needed when no other node is read there
     #[arg(long, value_name = "NODE", value_parser = node_id)]
     node: Option<NodeId>,
 
@@ -52,19 +64,20 @@ Examples:
   lexican validate pump.eds node5.json
   lexican validate pump.dcf node5.json --level DMP002=allow --level DMP019=deny
   lexican validate --format json pump.eds - < node5.json
+  lexican validate pump.eds --bus socketcan:can0 --node 5
   lexican validate pump.eds bus.log --node 5 --format html > report.html";
 
 impl Validate {
     pub(crate) fn run(self) -> Result<Verdict, Failure> {
         let settings = self.settings.of(&Input::new(&self.eds))?;
-        if self.eds == self.dump {
+        if self.dump.as_ref() == Some(&self.eds) {
             let path = self.eds.display();
             return Err(Failure::new(format!(
                 "{path} cannot be both; name the EDS file, then the dump"
             )));
         }
-        let reading = self.read_eds()?;
-        let recorded = Recorded::read(&self.dump, self.node, &reading)?;
+        let reading = read_eds(&self.eds)?;
+        let recorded = self.recorded(&reading)?;
         mention_own_findings(&reading, &settings);
         let style = self.shown.style();
         let mut printer = Printer::new(style, Subject::Device)?;
@@ -74,25 +87,43 @@ impl Validate {
         printer.finish()
     }
 
-    /// A file that describes something: held against nothing, every device would differ.
-    fn read_eds(&self) -> Result<Reading, Failure> {
-        let input = Input::new(&self.eds);
-        let name = input.name();
-        let bytes = input.read()?;
-        if is_json(&bytes) {
-            return Err(Failure::new(format!(
-                "{name} is JSON, not an EDS; the EDS file comes first, then the dump"
-            )));
+    /// What the device answered, or answers.
+    fn recorded(&self, reading: &Reading) -> Result<Recorded, Failure> {
+        match (&self.dump, &self.bus, self.node) {
+            (Some(path), ..) => Recorded::read(path, self.node, reading),
+            (None, Some(bus), Some(node_id)) => {
+                let dump = self.live_dump(bus, node_id, reading)?;
+                Ok(Recorded { dump, is_log: false })
+            }
+            (None, ..) => Err(Failure::new("name a dump, or a bus and a node")),
         }
-        let reading = lexican_eds::read(name.clone(), bytes);
-        let is_foreign = matches!(reading.document.problems(), [Problem::NotCanopen { .. }, ..]);
-        if is_foreign || reading.dictionary.objects.is_empty() {
-            return Err(Failure::new(format!(
-                "{name} describes no object; `lexican check {name}` says what it is"
-            )));
-        }
-        Ok(reading)
     }
+
+    fn live_dump(&self, bus: &str, node_id: NodeId, reading: &Reading) -> Result<Dump, Failure> {
+        let node_id = ir::NodeId::new(node_id.get()).ok_or_else(|| Failure::new("a node-ID is 1 to 127"))?;
+        let order = Order::every_value(&reading.dictionary);
+        take_for_validation(&mut self.live.open(bus)?, node_id, order, !self.shown.style().quiet)
+    }
+}
+
+/// A file that describes something: held against nothing, every device would differ.
+pub(super) fn read_eds(path: &Path) -> Result<Reading, Failure> {
+    let input = Input::new(path);
+    let name = input.name();
+    let bytes = input.read()?;
+    if is_json(&bytes) {
+        return Err(Failure::new(format!(
+            "{name} is JSON, not an EDS; the EDS file comes first, then the dump"
+        )));
+    }
+    let reading = lexican_eds::read(name.clone(), bytes);
+    let is_foreign = matches!(reading.document.problems(), [Problem::NotCanopen { .. }, ..]);
+    if is_foreign || reading.dictionary.objects.is_empty() {
+        return Err(Failure::new(format!(
+            "{name} describes no object; `lexican check {name}` says what it is"
+        )));
+    }
+    Ok(reading)
 }
 
 fn is_json(bytes: &[u8]) -> bool {
