@@ -8,13 +8,14 @@
 //! | `slcan+tcp://host:port` | the same lines over TCP |
 //! | `slcan+tcp-listen://host:port` | a bus of our own that any number of others join by slcan over TCP |
 //! | `socketcan:can0` | an interface of this Linux machine |
-//! | `socketcand://host:port/can0` | an interface of another Linux machine |
 //! | `virtual:name` | a bus inside this process |
 
 mod error;
 mod hub;
 mod in_process;
 mod slcan;
+#[cfg(target_os = "linux")]
+mod socketcan;
 mod url;
 
 use std::{
@@ -30,6 +31,8 @@ pub use url::{BitRate, FORMS, Url, UrlError};
 
 use in_process::Virtual;
 use slcan::{Listener, Serial, Slcan, Socket};
+#[cfg(target_os = "linux")]
+use socketcan::SocketCan;
 
 /// Opens the bus that `name` names.
 ///
@@ -74,7 +77,11 @@ impl Url {
             }
             Self::SlcanTcpListen { address } => Ok(Box::new(Listener::bind(name, address)?)),
             Self::Virtual { name } => Ok(Box::new(Virtual::join(name))),
-            Self::SocketCan { .. } | Self::Socketcand { .. } => Err(unopened(
+            #[cfg(target_os = "linux")]
+            Self::SocketCan { interface } => Ok(Box::new(SocketCan::open(name, interface)?)),
+            #[cfg(not(target_os = "linux"))]
+            Self::SocketCan { .. } => Err(unopened(&name, ErrorKind::Unsupported, "only Linux has such interfaces")),
+            Self::Socketcand { .. } => Err(unopened(
                 &name,
                 ErrorKind::Unsupported,
                 "this kind of bus is not built yet",

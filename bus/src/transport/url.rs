@@ -5,7 +5,7 @@ use std::{fmt, str::FromStr};
 /// The forms that there are, as messages and `--help` list them.
 pub const FORMS: &str = "\
 slcan:/dev/ttyACM0[@500k], slcan+tcp://host:port[@500k], slcan+tcp-listen://host:port, \
-socketcan:can0, socketcand://host[:port]/can0, virtual:name";
+socketcan:can0, virtual:name";
 
 /// socketcand's own port.
 const SOCKETCAND_PORT: u16 = 29536;
