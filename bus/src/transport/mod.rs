@@ -80,7 +80,11 @@ impl Url {
             #[cfg(target_os = "linux")]
             Self::SocketCan { interface } => Ok(Box::new(SocketCan::open(name, interface)?)),
             #[cfg(not(target_os = "linux"))]
-            Self::SocketCan { .. } => Err(unopened(&name, ErrorKind::Unsupported, "only Linux has such interfaces")),
+            Self::SocketCan { .. } => Err(unopened(
+                &name,
+                ErrorKind::Unsupported,
+                "only Linux has such interfaces",
+            )),
             Self::Socketcand { .. } => Err(unopened(
                 &name,
                 ErrorKind::Unsupported,

@@ -105,6 +105,9 @@ mod tests {
     #[test]
     fn an_interface_that_is_not_there_is_named() {
         let error = SocketCan::open("socketcan:nocan7".into(), "nocan7").err().unwrap();
-        assert!(error.to_string().starts_with("socketcan:nocan7: cannot open: "), "{error}");
+        assert!(
+            error.to_string().starts_with("socketcan:nocan7: cannot open: "),
+            "{error}"
+        );
     }
 }
