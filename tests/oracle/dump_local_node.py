@@ -22,7 +22,8 @@ def main(script, eds, out, log=None):
     for network in (here, there):
         network.connect(interface="virtual", channel="lexican-dump")
     listener = can.Bus(interface="virtual", channel="lexican-dump")
-    recorder = can.Notifier(listener, [can.Logger(log)]) if log else None
+    logger = can.Logger(log) if log else None
+    recorder = can.Notifier(listener, [logger.on_message_received]) if log else None
     try:
         there.create_node(NODE, eds)
         with open(out, "w", encoding="utf-8") as file:
@@ -30,6 +31,10 @@ def main(script, eds, out, log=None):
     finally:
         if recorder:
             recorder.stop()
+            # What came while it stopped.
+            while (message := listener.recv(0)) is not None:
+                logger(message)
+            logger.stop()
         listener.shutdown()
         here.disconnect()
         there.disconnect()

@@ -2,7 +2,7 @@
 
 pub mod bus;
 pub mod client;
-pub mod complete;
+
 pub mod corpus;
 pub mod dialogue;
 #[cfg(unix)]

@@ -13,11 +13,10 @@ use lexican_eds::{
 use lexican_runtime::Device;
 use lexican_tests::{
     bus::Bus,
-    complete::complete,
     generated::{cia406, cia406_multi, wdga, wdga_configured, wdga_st, wv58mr, wv58mr_configured, wv58mr_st},
     memory::Memory,
     sdo_client,
-    simulated::Simulated,
+    simulated::{Simulated, complete},
 };
 
 /// A file, and the dump of a device that was made of it.

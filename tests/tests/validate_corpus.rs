@@ -11,10 +11,9 @@ use lexican_eds::{
 };
 use lexican_tests::{
     bus::Bus,
-    complete::complete,
     corpus::{CorpusFile, corpus},
     sdo_client,
-    simulated::Simulated,
+    simulated::{Simulated, complete},
 };
 
 /// What is found in the device that is simulated from `reading`.

@@ -4,6 +4,7 @@
 //! a dictionary that is laid out here instead of by the compiler. It has no application: its values change when they are
 //! written, and keep still otherwise.
 
+mod complete;
 pub mod memory;
 mod network;
 mod object;
@@ -21,6 +22,7 @@ use lexican_runtime::{
     lss::{BitRate, BitRates},
 };
 
+pub use complete::complete;
 pub use memory::Memory;
 pub use network::Network;
 pub use object::Object;

@@ -202,7 +202,7 @@ fn what_cannot_be_served_is_told_in_a_line() {
         told += lexican.run(&[&["simulate"], arguments].concat()).failed();
     }
     insta::assert_snapshot!(told, @r"
-    error: usb:1: cannot open: there is no kind of bus `usb`; the forms are slcan:/dev/ttyACM0[@500k], slcan+tcp://host:port[@500k], slcan+tcp-listen://host:port, socketcan:can0, socketcand://host[:port]/can0, virtual:name
+    error: usb:1: cannot open: there is no kind of bus `usb`; the forms are slcan:/dev/ttyACM0[@500k], slcan+tcp://host:port[@500k], slcan+tcp-listen://host:port, socketcan:can0, virtual:name
     error: slcan+tcp://127.0.0.1:1: cannot open: Connection refused (os error 111)
     error: cannot read absent.eds: there is no such file or directory
     error: 2 files and 3 node-IDs; give each file one, or one file any number
@@ -274,4 +274,37 @@ fn python_canopen_reads_writes_and_maps_both_encoders_over_tcp() {
     let Some(python) = python() else { return };
     let judged = judged_by_python(&python, &["eds/devices/wdga.eds", "eds/devices/wv58mr.eds"]);
     assert_eq!(judged, "330 values read, 2 written, 5 PDOs received\n");
+}
+
+/// The full circle: what a file is made into, read back over a bus, is what the file says.
+#[test]
+fn the_devices_of_all_our_files_are_read_and_hold_against_them() {
+    let directory = root().join("eds/devices");
+    let names = fs::read_dir(&directory)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name());
+    let names: Vec<String> = names.map(|name| name.into_string().unwrap()).collect();
+    let contents: Vec<Vec<u8>> = names
+        .iter()
+        .map(|name| fs::read(directory.join(name)).unwrap())
+        .collect();
+    let files: Vec<(&str, &[u8])> = names
+        .iter()
+        .map(String::as_str)
+        .zip(contents.iter().map(Vec::as_slice))
+        .collect();
+    let lexican = Lexican::with(&files);
+    let nodes = format!("1..{}", names.len());
+    let mut arguments: Vec<&str> = names.iter().map(String::as_str).collect();
+    arguments.extend(["--node", &nodes]);
+    let simulation = Simulation::of(&lexican, &arguments);
+    let bus = format!("slcan+tcp://{}", simulation.address);
+    for (name, node) in names.iter().zip(1..) {
+        let judged = lexican.run(&["validate", name, "--bus", &bus, "--node", &node.to_string()]);
+        assert!(
+            judged.printed(0).contains("1 device checked: no findings"),
+            "{name}: {}",
+            judged.printed(0)
+        );
+    }
 }

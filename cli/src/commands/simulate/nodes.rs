@@ -7,7 +7,7 @@ use std::{
     str::FromStr,
 };
 
-use lexican_bus::simulated::{Memory, Network, Simulated};
+use lexican_bus::simulated::{Memory, Network, Simulated, complete};
 use lexican_eds::ir::{self, Dictionary};
 use lexican_runtime::{AbortCode, Address, Node, NodeId, od};
 
@@ -182,7 +182,7 @@ fn read(path: &Path) -> Result<(String, Dictionary), Failure> {
 }
 
 fn device((name, dictionary): &(String, Dictionary)) -> Simulated {
-    let device = Simulated::of(dictionary);
+    let device = Simulated::of(&complete(dictionary));
     let left_out = device.left_out().len();
     if left_out > 0 {
         failure::note(&format!(
