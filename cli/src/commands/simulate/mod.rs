@@ -23,8 +23,8 @@ pub(crate) struct Simulate {
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
 
-    /// The bus: slcan:/dev/ttyACM0[@500k], slcan+tcp://host:port, slcan+tcp-listen://host:port (port 0: any that is
-    /// free)
+    /// The bus: slcan:/dev/ttyACM0@500k, slcan+tcp://host:port, slcan+tcp-listen://host:port (port 0: any that is free),
+    /// socketcan:can0
     #[arg(long, value_name = "BUS")]
     bus: String,
 
