@@ -188,5 +188,10 @@ impl<D: Device, S: Slave<D>> Bus<D, S> {
             self.log.push(format!("< {frame:?}"));
             self.sent.push_back(frame);
         }
+        let due = self.slave.poll_at();
+        assert!(
+            due.is_none_or(|due| due > self.now),
+            "it has nothing to say, and asks to be called at once"
+        );
     }
 }

@@ -209,6 +209,20 @@ fn without_delays_a_bit_rate_is_activated_at_once_and_nothing_more_is_due() {
 }
 
 #[test]
+fn a_node_that_lost_its_node_id_meanwhile_answers_when_the_bit_rate_is_switched() {
+    let mut bus = configured();
+    bus.send(TO_CONFIGURATION)
+        .send("7E5#150A000000000000")
+        .send("7E5#11FF000000000000")
+        .send("000#8200")
+        .send(TO_CONFIGURATION)
+        .send("7E5#1300090000000000")
+        .silence();
+    bus.advance(20).expect("7E4#13..").silence();
+    assert_eq!(bus.node().poll_at(), None);
+}
+
+#[test]
 fn the_application_s_reset_does_not_break_the_silence() {
     let mut bus = configured();
     bus.send(TO_CONFIGURATION)

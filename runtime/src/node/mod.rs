@@ -239,13 +239,8 @@ impl<D: Device> Node<D> {
     /// would let them through.
     #[inline(never)]
     fn work(&mut self, now: Instant) -> Option<Frame> {
-        if self.is_silent() {
-            if let Some(frame) = self.send_lss_response() {
-                return Some(frame);
-            }
-            if self.keeps_silence(now) {
-                return None;
-            }
+        if self.is_silent() && self.keeps_silence(now) {
+            return self.send_lss_response();
         }
         if self.pending.take(Pending::BOOT_UP) {
             return Some(self.boot_up(now));
